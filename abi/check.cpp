@@ -1,0 +1,111 @@
+#include "check.h"
+
+#include "base/error.h"
+
+#include <cmath>
+#include <limits>
+
+namespace peregrine::abi {
+
+using base::Code;
+using base::fail;
+
+namespace {
+
+unsigned long long print(uint64_t value) {
+    return value;
+}
+
+template <class Real>
+void require_finite_span(std::span<const Real> values, const char* field) {
+    for (size_t i = 0; i < values.size(); ++i)
+        if (!std::isfinite(values[i]))
+            fail(Code::invalid_argument, "%s[%zu] is %g; it must be finite", field, i,
+                 double(values[i]));
+}
+
+} // namespace
+
+void require_pointer(const void* pointer, const char* name) {
+    if (!pointer) fail(Code::invalid_argument, "%s is null", name);
+}
+
+void require_zero(uint32_t reserved, const char* field) {
+    if (reserved != 0) fail(Code::invalid_argument, "%s is %u; it must be 0", field, reserved);
+}
+
+void require_flag(uint32_t value, const char* field) {
+    if (value > 1) fail(Code::invalid_argument, "%s is %u; it must be 0 or 1", field, value);
+}
+
+void require_enum(int32_t value, int32_t last, const char* field) {
+    if (value < 0 || value > last)
+        fail(Code::invalid_argument, "%s is %d; the known values are 0 to %d", field, value, last);
+}
+
+void require_extent(uint32_t value, uint32_t largest, const char* field) {
+    if (value == 0) fail(Code::invalid_argument, "%s is 0; it must be at least 1", field);
+    if (value > largest) fail(Code::limit, "%s is %u; the limit is %u", field, value, largest);
+}
+
+void require_finite(float value, const char* field) {
+    if (!std::isfinite(value))
+        fail(Code::invalid_argument, "%s is %g; it must be finite", field, double(value));
+}
+
+void require_finite(std::span<const float> values, const char* field) {
+    require_finite_span(values, field);
+}
+
+void require_finite(std::span<const double> values, const char* field) {
+    require_finite_span(values, field);
+}
+
+void require_positive(float value, const char* field) {
+    if (!(value > 0) || !std::isfinite(value))
+        fail(Code::invalid_argument, "%s is %g; it must be above 0 and finite", field,
+             double(value));
+}
+
+void require_colour(std::span<const float> values, const char* field) {
+    for (size_t i = 0; i < values.size(); ++i)
+        if (!(values[i] >= 0) || !std::isfinite(values[i]))
+            fail(Code::invalid_argument, "%s[%zu] is %g; it must be at least 0 and finite", field,
+                 i, double(values[i]));
+}
+
+void require_direction(std::span<const float> values, const char* field) {
+    require_finite(values, field);
+    for (const float value : values)
+        if (value != 0) return;
+    fail(Code::invalid_argument, "%s is the zero vector", field);
+}
+
+uint64_t require_rows(const void* pixels, uint64_t row_stride, uint64_t row_bytes, uint32_t height,
+                      const char* pixels_field, const char* stride_field) {
+    require_pointer(pixels, pixels_field);
+    const uint64_t stride = row_stride ? row_stride : row_bytes;
+    if (stride < row_bytes)
+        fail(Code::invalid_argument, "%s is %llu, but a row has %llu bytes", stride_field,
+             print(stride), print(row_bytes));
+    require_addressable(pixels, height, stride, row_bytes, stride_field);
+    return stride;
+}
+
+void require_addressable(const void* data, uint64_t count, uint64_t stride, uint64_t element,
+                         const char* name) {
+    if (count == 0) return;
+    const uint64_t room = std::numeric_limits<uintptr_t>::max() - reinterpret_cast<uintptr_t>(data);
+    if (room < element || (room - element) / stride < count - 1)
+        fail(Code::limit, "%s: %llu elements of stride %llu reach beyond the address space", name,
+             print(count), print(stride));
+}
+
+void fail_handle(base::Handle handle, const char* field, const char* kind) {
+    if (!handle) fail(Code::invalid_handle, "%s is the null handle", field);
+    fail(Code::invalid_handle,
+         "%s is {%u, %u}, which names no %s of this scene: it was removed, or belongs elsewhere",
+         field, handle.index, handle.generation, kind);
+}
+
+} // namespace peregrine::abi

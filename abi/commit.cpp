@@ -1,0 +1,86 @@
+#include "check.h"
+#include "guard.h"
+#include "read_struct.h"
+#include "scene_table.h"
+
+namespace peregrine::abi {
+namespace {
+
+static_assert(RT_FEATURE_TEXTURES == int(scene::kTextures));
+static_assert(RT_FEATURE_NORMAL_MAPS == int(scene::kNormalMaps));
+static_assert(RT_FEATURE_EMISSIVE == int(scene::kEmissive));
+static_assert(RT_FEATURE_ALPHA_MASK == int(scene::kAlphaMask));
+static_assert(RT_FEATURE_SPECULAR == int(scene::kSpecular));
+static_assert(RT_FEATURE_LIGHTS == int(scene::kLights));
+static_assert(RT_FEATURE_SHADOWS == int(scene::kShadows));
+static_assert(RT_FEATURE_DYNAMIC_MESHES == int(scene::kDynamicMeshes));
+static_assert(RT_FEATURE_SINGLE_SIDED == int(scene::kSingleSidedMaterials));
+
+scene::CommitOptions to_options(const rt_commit_desc* desc) {
+    scene::CommitOptions options;
+    if (!desc) return options;
+    const rt_commit_desc fields = read_struct(desc);
+    if (!(fields.empty_bonus >= 0 && fields.empty_bonus <= 1))
+        base::fail(base::Code::invalid_argument,
+                   "rt_commit_desc.empty_bonus is %g; it must be 0 to 1",
+                   double(fields.empty_bonus));
+    options.empty_bonus = fields.empty_bonus;
+    options.progress = {fields.progress, fields.progress_user};
+    return options;
+}
+
+rt_commit_report to_report(const scene::CommitReport& in) {
+    const accel::kdtree::Tree& tree = in.geometry->tree;
+    rt_commit_report out = rt_default_commit_report();
+    out.left_out = scene::kAllFeatures & ~in.features;
+    out.triangle_count = in.geometry->triangles.size();
+    out.degenerate_count = in.geometry->degenerate_count;
+    out.non_finite_count = in.geometry->non_finite_count;
+    out.bytes_triangles = in.geometry->triangles.size() * sizeof(geometry::Triangle);
+    out.bytes_nodes = tree.nodes.size() * sizeof(accel::kdtree::Node);
+    out.bytes_references = tree.references.size() * sizeof(uint32_t);
+    out.bytes_attributes = in.bytes_attributes;
+    out.bytes_textures = in.bytes_textures;
+    out.tree_nodes = tree.nodes.size();
+    out.tree_leaves = tree.report.leaves;
+    out.tree_empty_leaves = tree.report.empty_leaves;
+    out.tree_references = tree.references.size();
+    out.tree_max_depth = tree.report.max_depth;
+    out.tree_depth_limit = tree.report.depth_limit;
+    out.tree_sah_cost = tree.report.sah_cost;
+    out.build_ms = tree.report.build_ms;
+    out.commit_ms = in.commit_ms;
+    out.light_count = in.light_count;
+    out.rebuilt = in.rebuilt ? 1 : 0;
+    return out;
+}
+
+void tell(const HostScene& host, const rt_commit_report& report) {
+    using Number = unsigned long long;
+    if (!host.log) return;
+    log_line(host, RT_LOG_INFO, "commit %llu: %llu triangles, %llu nodes (%s), %u lights, %.1f ms",
+             Number(host.scene.version()), Number(report.triangle_count), Number(report.tree_nodes),
+             report.rebuilt ? "rebuilt" : "kept", report.light_count, report.commit_ms);
+    if (report.degenerate_count || report.non_finite_count)
+        log_line(host, RT_LOG_WARNING,
+                 "commit %llu left out %llu triangles without area and %llu with a vertex that is "
+                 "not finite or beyond 1e30",
+                 Number(host.scene.version()), Number(report.degenerate_count),
+                 Number(report.non_finite_count));
+}
+
+} // namespace
+} // namespace peregrine::abi
+
+using namespace peregrine::abi;
+
+rt_result rt_commit_scene(rt_scene scene, const rt_commit_desc* desc,
+                          rt_commit_report* out_report) noexcept {
+    return guard([&] {
+        HostScene& host = find_scene(scene);
+        const Output output(out_report);
+        const rt_commit_report report = to_report(host.scene.commit(to_options(desc)));
+        output.write(report);
+        tell(host, report);
+    });
+}

@@ -1,0 +1,100 @@
+#include "check.h"
+#include "guard.h"
+#include "read_struct.h"
+#include "scene_table.h"
+
+#include <cmath>
+
+namespace peregrine::abi {
+namespace {
+
+void check_cone(const rt_light_desc& desc) {
+    const float inner = desc.cone_inner_cos;
+    const float outer = desc.cone_outer_cos;
+    if (outer < -1 || outer > inner || inner > 1)
+        base::fail(base::Code::invalid_argument,
+                   "rt_light_desc: cone_inner_cos is %g and cone_outer_cos %g; "
+                   "-1 <= outer <= inner <= 1 must hold",
+                   double(inner), double(outer));
+}
+
+// NaN is refused in every field, ranges only where the type of light reads them.
+void check(const rt_light_desc& desc) {
+    require_enum(desc.type, RT_LIGHT_DIRECTIONAL, "rt_light_desc.type");
+    require_finite(std::span<const double>(desc.position), "rt_light_desc.position");
+    require_finite(std::span<const float>(desc.direction), "rt_light_desc.direction");
+    require_finite(desc.radius, "rt_light_desc.radius");
+    require_colour(desc.intensity, "rt_light_desc.intensity");
+    require_finite(desc.cone_inner_cos, "rt_light_desc.cone_inner_cos");
+    require_finite(desc.cone_outer_cos, "rt_light_desc.cone_outer_cos");
+    require_flag(desc.casts_no_shadow, "rt_light_desc.casts_no_shadow");
+    if (desc.type != RT_LIGHT_DIRECTIONAL) require_positive(desc.radius, "rt_light_desc.radius");
+    if (desc.type != RT_LIGHT_POINT) require_direction(desc.direction, "rt_light_desc.direction");
+    if (desc.type == RT_LIGHT_SPOT) check_cone(desc);
+}
+
+// In double, where the square of no float over- or underflows.
+math::Vec3 unit(const float (&v)[3]) {
+    const double x = v[0], y = v[1], z = v[2];
+    const double length = std::sqrt(x * x + y * y + z * z);
+    if (length == 0) return {0, -1, 0}; // of a point light, which has none
+    return {float(x / length), float(y / length), float(z / length)};
+}
+
+scene::Light to_light(const rt_light_desc& desc) {
+    check(desc);
+    scene::Light light;
+    light.type = scene::LightType(desc.type);
+    light.position = {desc.position[0], desc.position[1], desc.position[2]};
+    light.direction = unit(desc.direction);
+    light.radius = desc.radius;
+    light.intensity = {desc.intensity[0], desc.intensity[1], desc.intensity[2]};
+    light.cone_inner_cos = desc.cone_inner_cos;
+    light.cone_outer_cos = desc.cone_outer_cos;
+    light.casts_shadow = desc.casts_no_shadow == 0;
+    return light;
+}
+
+scene::Environment to_environment(const rt_environment& fields) {
+    require_colour(fields.ambient, "rt_environment.ambient");
+    require_colour(fields.background, "rt_environment.background");
+    require_zero(fields.reserved, "rt_environment.reserved");
+    return {{fields.ambient[0], fields.ambient[1], fields.ambient[2]},
+            {fields.background[0], fields.background[1], fields.background[2]}};
+}
+
+} // namespace
+} // namespace peregrine::abi
+
+using namespace peregrine::abi;
+
+rt_result rt_add_light(rt_scene scene, const rt_light_desc* desc, rt_light* out_light) noexcept {
+    return guard([&] {
+        HostScene& host = find_scene(scene);
+        require_pointer(out_light, "out_light");
+        *out_light = to_host<rt_light>(host.scene.lights.insert(to_light(read_struct(desc))));
+    });
+}
+
+rt_result rt_update_light(rt_scene scene, rt_light light, const rt_light_desc* desc) noexcept {
+    return guard([&] {
+        HostScene& host = find_scene(scene);
+        auto& old = require_object(host.scene.lights, to_handle(light), "rt_light", "light");
+        old = to_light(read_struct(desc));
+    });
+}
+
+rt_result rt_remove_light(rt_scene scene, rt_light light) noexcept {
+    return guard([&] {
+        HostScene& host = find_scene(scene);
+        require_object(host.scene.lights, to_handle(light), "rt_light", "light");
+        host.scene.lights.erase(to_handle(light));
+    });
+}
+
+rt_result rt_set_environment(rt_scene scene, const rt_environment* environment) noexcept {
+    return guard([&] {
+        HostScene& host = find_scene(scene);
+        host.scene.environment = to_environment(read_struct(environment));
+    });
+}

@@ -1,0 +1,118 @@
+#include "check.h"
+#include "guard.h"
+#include "read_struct.h"
+#include "scene_table.h"
+
+#include <cstdio>
+
+namespace peregrine::abi {
+namespace {
+
+// "rt_material_desc.normal_texture" + ".reserved", in a buffer of the caller.
+class FieldName {
+public:
+    FieldName(const char* use, const char* member) {
+        std::snprintf(text_, sizeof text_, "rt_material_desc.%s.%s", use, member);
+    }
+    operator const char*() const { return text_; }
+
+private:
+    char text_[96];
+};
+
+scene::TextureUse to_use(const rt_texture_use& use, const char* name) {
+    require_finite(std::span<const float>(use.transform), FieldName(name, "transform"));
+    if (use.texcoord_set > 1)
+        base::fail(base::Code::invalid_argument, "%s is %u; it must be 0 or 1",
+                   static_cast<const char*>(FieldName(name, "texcoord_set")), use.texcoord_set);
+    require_zero(use.reserved, FieldName(name, "reserved"));
+    scene::TextureUse result;
+    result.row_u = {use.transform[0], use.transform[1], use.transform[2]};
+    result.row_v = {use.transform[3], use.transform[4], use.transform[5]};
+    result.texcoord_set = use.texcoord_set;
+    return result;
+}
+
+base::Handle to_texture(scene::Scene& scene, const rt_texture_use& use, const char* name) {
+    const base::Handle texture = to_handle(use.texture);
+    if (texture || texture.index != 0)
+        require_object(scene.textures, texture, FieldName(name, "texture"), "texture");
+    return texture;
+}
+
+void check_numbers(const rt_material_desc& desc) {
+    require_enum(desc.alpha_mode, RT_ALPHA_MASK, "rt_material_desc.alpha_mode");
+    require_colour(desc.base_color, "rt_material_desc.base_color");
+    require_colour(desc.emissive, "rt_material_desc.emissive");
+    require_finite(desc.alpha_cutoff, "rt_material_desc.alpha_cutoff");
+    require_colour(desc.specular, "rt_material_desc.specular");
+    require_finite(desc.shininess, "rt_material_desc.shininess");
+    if (desc.shininess < 1)
+        base::fail(base::Code::invalid_argument,
+                   "rt_material_desc.shininess is %g; it must be at least 1",
+                   double(desc.shininess));
+    require_finite(desc.normal_scale, "rt_material_desc.normal_scale");
+    require_flag(desc.double_sided, "rt_material_desc.double_sided");
+}
+
+scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc& desc) {
+    check_numbers(desc);
+    scene::MaterialDescription result;
+    scene::Material& material = result.material;
+    material.base_color = {desc.base_color[0], desc.base_color[1], desc.base_color[2],
+                           desc.base_color[3]};
+    material.emissive = {desc.emissive[0], desc.emissive[1], desc.emissive[2]};
+    material.alpha_cutoff = desc.alpha_cutoff;
+    material.specular = {desc.specular[0], desc.specular[1], desc.specular[2]};
+    material.shininess = desc.shininess;
+    material.normal_scale = desc.normal_scale;
+    material.masked = desc.alpha_mode == RT_ALPHA_MASK;
+    material.double_sided = desc.double_sided != 0;
+    material.base_color_texture = to_use(desc.base_color_texture, "base_color_texture");
+    material.normal_texture = to_use(desc.normal_texture, "normal_texture");
+    material.emissive_texture = to_use(desc.emissive_texture, "emissive_texture");
+    material.user_data = desc.user_data;
+    result.base_color_texture = to_texture(scene, desc.base_color_texture, "base_color_texture");
+    result.normal_texture = to_texture(scene, desc.normal_texture, "normal_texture");
+    result.emissive_texture = to_texture(scene, desc.emissive_texture, "emissive_texture");
+    return result;
+}
+
+void update(scene::Scene& scene, rt_material handle, const rt_material_desc& desc) {
+    auto& old = require_object(scene.materials, to_handle(handle), "rt_material", "material");
+    const scene::MaterialDescription now = describe(scene, desc);
+    // The triangles of the structure carry these two.
+    if (old.material.masked != now.material.masked
+        || old.material.double_sided != now.material.double_sided)
+        scene.touch_geometry();
+    old = now;
+}
+
+} // namespace
+} // namespace peregrine::abi
+
+using namespace peregrine::abi;
+
+rt_result rt_add_material(rt_scene scene, const rt_material_desc* desc,
+                          rt_material* out_material) noexcept {
+    return guard([&] {
+        HostScene& host = find_scene(scene);
+        require_pointer(out_material, "out_material");
+        *out_material = to_host<rt_material>(
+            host.scene.materials.insert(describe(host.scene, read_struct(desc))));
+    });
+}
+
+rt_result rt_update_material(rt_scene scene, rt_material material,
+                             const rt_material_desc* desc) noexcept {
+    return guard([&] { update(find_scene(scene).scene, material, read_struct(desc)); });
+}
+
+rt_result rt_remove_material(rt_scene scene, rt_material material) noexcept {
+    return guard([&] {
+        HostScene& host = find_scene(scene);
+        require_object(host.scene.materials, to_handle(material), "rt_material", "material");
+        host.scene.materials.erase(to_handle(material));
+        host.scene.touch_geometry(); // its meshes show the default one from now on
+    });
+}

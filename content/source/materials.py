@@ -1,0 +1,68 @@
+"""The level's materials: which textures they use, how large a tile is, and how they shine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Callable
+
+from . import textures
+
+
+@dataclass
+class Material:
+    name: str
+    tile: float = 1.0  # metres a texture covers; 1 with texture coordinates that are no lengths
+    roughness: float = 0.9
+    metallic: float = 0.0
+    colour: tuple = (1.0, 1.0, 1.0)
+    emissive: tuple = (0.0, 0.0, 0.0)
+    emissive_strength: float = 1.0
+    relief: Callable | None = None  # gives a colour and a height
+    relief_strength: float = 1.0
+    picture: Callable | None = None  # gives a colour, perhaps with alpha
+    glows: bool = False  # the picture is emitted too
+    masked: bool = False
+    double_sided: bool = False
+    quality: int = 88
+
+
+def _red_banner():
+    return textures.banner((122, 22, 22, 255), (58, 10, 14, 255))
+
+
+def _blue_banner():
+    return textures.banner((28, 44, 96, 255), (12, 18, 46, 255))
+
+
+MATERIALS = [
+    Material("ashlar", 2.0, 0.85, relief=textures.ashlar),
+    Material("trim", 1.0, 0.75, relief=textures.trim),
+    Material("marble", 4.0, 0.32, relief=textures.marble, quality=90),
+    Material("flagstones", 2.0, 0.8, relief=textures.flagstones),
+    Material("brick", 2.0, 0.9, relief=textures.brick),
+    Material("plaster", 2.0, 0.9, relief=textures.plaster),
+    Material("planks", 2.0, 0.6, relief=textures.planks),
+    Material("timber", 1.0, 0.7, relief=textures.timber),
+    Material("carpet", 1.0, 1.0, relief=textures.carpet),
+    Material("coffer", 1.0, 0.7, relief=textures.coffer),
+    Material("iron", 1.0, 0.45, 0.3, relief=textures.iron),
+    Material("brass", 1.0, 0.3, 0.35, picture=textures.brass),
+    Material("water", 1.5, 0.12, relief=textures.water),
+    Material("books", 1.0, 0.8, relief=textures.books),
+    Material("grate", 1.0, 0.5, 0.3, relief=textures.grate, masked=True, double_sided=True),
+    Material("banner_red", 1.0, 1.0, picture=_red_banner, masked=True, double_sided=True),
+    Material("banner_blue", 1.0, 1.0, picture=_blue_banner, masked=True, double_sided=True),
+    Material("ivy", 1.0, 0.8, picture=textures.ivy, masked=True, double_sided=True),
+    Material("stained_glass", 1.0, 0.95, emissive=(1, 1, 1), emissive_strength=1.6,
+             picture=textures.stained_glass, glows=True, quality=92),
+    Material("leaded_glass", 1.0, 0.8, emissive=(0.55, 0.62, 0.75),
+             picture=textures.leaded_glass, glows=True),
+    Material("warm_glass", 1.0, 0.8, emissive=(1.0, 0.50, 0.16), colour=(0.1, 0.1, 0.1),
+             picture=textures.leaded_glass_pale, glows=True),
+    Material("embers", 0.5, 1.0, emissive=(1, 1, 1), emissive_strength=1.5,
+             picture=textures.embers, glows=True),
+    Material("sky", 1.0, 1.0, colour=(0.0, 0.0, 0.0), emissive=(0.8, 0.8, 0.8),
+             picture=textures.night_sky, glows=True),
+    Material("flame", colour=(0.0, 0.0, 0.0), emissive=(1.0, 0.36, 0.06), emissive_strength=1.25),
+    Material("wax", roughness=0.6, colour=(0.72, 0.64, 0.48), emissive=(0.10, 0.06, 0.025)),
+]  # fmt: skip

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "accel/kdtree/control.h"
+#include "accel/kdtree/cost.h"
+#include "geometry/triangle.h"
+
+#include <cstdint>
+
+namespace peregrine::accel::kdtree {
+
+inline constexpr uint64_t kMaxTriangles = uint64_t(1) << 27;
+inline constexpr uint64_t kMaxNodes = uint64_t(1) << 29;
+
+// What all parts of one build share.
+struct Task {
+    const geometry::Triangle* triangles;
+    CostModel model;
+    uint32_t depth_limit;
+    Control& control;
+    base::Memory* memory;
+
+    bool worth_it(double cost, const math::Box& cell, uint32_t count) const {
+        return cost < model.leaf(cell, count);
+    }
+};
+
+inline math::Box left_cell(math::Box cell, uint32_t axis, float position) {
+    cell.upper[int(axis)] = position;
+    return cell;
+}
+
+inline math::Box right_cell(math::Box cell, uint32_t axis, float position) {
+    cell.lower[int(axis)] = position;
+    return cell;
+}
+
+[[noreturn]] inline void fail_for_nodes() {
+    base::fail(base::Code::limit, "the kd-tree would have more than %llu nodes",
+               static_cast<unsigned long long>(kMaxNodes));
+}
+
+} // namespace peregrine::accel::kdtree

@@ -1,0 +1,6 @@
+#pragma once
+
+// The instruction sets that SIMD sources are compiled for; include before <hwy/foreach_target.h>.
+// Highway is used as headers alone: each source exports a table per target and selects by
+// base/isa.h, so nothing of its run-time library is linked.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)

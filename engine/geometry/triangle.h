@@ -1,0 +1,36 @@
+#pragma once
+
+#include "math/box.h"
+#include "math/vec.h"
+
+#include <cstdint>
+
+namespace peregrine::geometry {
+
+using math::Box;
+using math::Vec3;
+
+enum TriangleFlag : uint32_t {
+    kSingleSided = 1u << 0, // frames do not show its back
+    kMasked = 1u << 1,      // its material may be absent at a hit: ask the alpha test
+};
+
+// What rays are tested against, everywhere.
+struct Triangle {
+    Vec3 v0;
+    uint32_t mesh; // slot of the mesh in its scene
+    Vec3 v1;
+    uint32_t primitive; // the host's own index in that mesh
+    Vec3 v2;
+    uint32_t flags; // TriangleFlag
+};
+static_assert(sizeof(Triangle) == 48 && alignof(Triangle) == 4);
+
+inline constexpr uint32_t kNoTriangle = 0xffffffffu;
+
+inline Box bounds(const Triangle& triangle) {
+    return {glm::min(glm::min(triangle.v0, triangle.v1), triangle.v2),
+            glm::max(glm::max(triangle.v0, triangle.v1), triangle.v2)};
+}
+
+} // namespace peregrine::geometry

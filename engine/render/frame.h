@@ -1,0 +1,54 @@
+#pragma once
+
+#include "base/isa.h"
+#include "base/memory.h"
+#include "base/scheduler.h"
+#include "render/camera.h"
+#include "scene/snapshot.h"
+
+#include <cstdint>
+
+namespace peregrine::render {
+
+// The values are those of rt.h.
+enum class PixelFormat : uint32_t {
+    rgba8_srgb = 0,
+    bgra8_srgb = 1,
+    rgba16f = 3,
+    rgba32f = 4,
+};
+enum class View : uint32_t { shaded = 0, normals = 1, depth = 2, steps = 3 };
+enum class ToneMapping : uint32_t { filmic = 0, clamp = 1, none = 2 };
+
+inline uint32_t bytes_per_pixel(PixelFormat format) {
+    return format == PixelFormat::rgba32f ? 16 : format == PixelFormat::rgba16f ? 8 : 4;
+}
+
+struct Frame {
+    PixelFormat format = PixelFormat::rgba8_srgb;
+    void* pixels = nullptr;  // top row first, aligned to a channel
+    uint64_t row_stride = 0; // bytes; at least width pixels
+    uint32_t width = 0;
+    uint32_t height = 0;
+    View view = View::shaded;
+    ToneMapping tone_mapping = ToneMapping::filmic;
+    float exposure = 1;
+    float depth_range = 50;
+    float steps_range = 100;
+    bool shadows = true;
+};
+
+struct FrameStats {
+    uint32_t threads = 0;
+    uint64_t rays_primary = 0;
+    uint64_t rays_shadow = 0;
+    double frame_ms = 0;
+    base::Isa isa = base::Isa::scalar;
+};
+
+// Renders what the snapshot holds into frame.pixels. Throws std::bad_alloc alone, before the first
+// pixel is written. `stats` may be null.
+void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
+                  base::Scheduler& scheduler, base::Memory* memory, FrameStats* stats);
+
+} // namespace peregrine::render

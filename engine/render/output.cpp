@@ -1,0 +1,121 @@
+#include "render/output.h"
+
+#include "render/half.h"
+#include "render/srgb.h"
+
+#include <cstring>
+
+namespace peregrine::render {
+namespace {
+
+float clamp01(float x) { return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f; }
+
+// Narkowicz, "ACES Filmic Tone Mapping Curve", 2015.
+float filmic(float x) {
+    return clamp01(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f));
+}
+
+void map_filmic(float exposure, uint32_t count, TileColors& colors) {
+    // Beyond 1e9 the curve is flat; infinity would give NaN.
+    for (float* channel : colors.channel)
+        for (uint32_t i = 0; i < count; ++i) {
+            const float x = channel[i] * exposure;
+            channel[i] = filmic(x < 1e9f ? x : 1e9f);
+        }
+}
+
+void map_clamp(float exposure, uint32_t count, TileColors& colors) {
+    for (float* channel : colors.channel)
+        for (uint32_t i = 0; i < count; ++i) channel[i] = clamp01(channel[i] * exposure);
+}
+
+void map_nothing(float, uint32_t, TileColors&) {}
+
+template <class Pixel, class Encode>
+void write_pixels(const Frame& frame, const Tile& tile, const TileColors& colors,
+                  Encode&& encode) {
+    auto* first = static_cast<std::byte*>(frame.pixels) + tile.y0 * frame.row_stride
+                  + tile.x0 * sizeof(Pixel);
+    for (uint32_t i = 0; i < tile.count; ++i) {
+        const Pixel pixel =
+            encode(colors.channel[0][i], colors.channel[1][i], colors.channel[2][i]);
+        std::memcpy(first + tile.y[i] * frame.row_stride + tile.x[i] * sizeof(Pixel), &pixel,
+                    sizeof pixel);
+    }
+}
+
+struct Bytes {
+    uint8_t c[4];
+};
+struct Halves {
+    uint16_t c[4];
+};
+struct Floats {
+    float c[4];
+};
+
+void write_srgb_rgba(const Frame& frame, const Tile& tile, const TileColors& colors) {
+    const SrgbEncoder& srgb = SrgbEncoder::get();
+    write_pixels<Bytes>(frame, tile, colors, [&](float r, float g, float b) -> Bytes {
+        return {{srgb.encode(r), srgb.encode(g), srgb.encode(b), 255}};
+    });
+}
+
+void write_srgb_bgra(const Frame& frame, const Tile& tile, const TileColors& colors) {
+    const SrgbEncoder& srgb = SrgbEncoder::get();
+    write_pixels<Bytes>(frame, tile, colors, [&](float r, float g, float b) -> Bytes {
+        return {{srgb.encode(b), srgb.encode(g), srgb.encode(r), 255}};
+    });
+}
+
+// Debug views are display values already.
+uint8_t to_byte(float value) { return uint8_t(clamp01(value) * 255.0f + 0.5f); }
+
+void write_plain_rgba(const Frame& frame, const Tile& tile, const TileColors& colors) {
+    write_pixels<Bytes>(frame, tile, colors, [](float r, float g, float b) -> Bytes {
+        return {{to_byte(r), to_byte(g), to_byte(b), 255}};
+    });
+}
+
+void write_plain_bgra(const Frame& frame, const Tile& tile, const TileColors& colors) {
+    write_pixels<Bytes>(frame, tile, colors, [](float r, float g, float b) -> Bytes {
+        return {{to_byte(b), to_byte(g), to_byte(r), 255}};
+    });
+}
+
+void write_half(const Frame& frame, const Tile& tile, const TileColors& colors) {
+    write_pixels<Halves>(frame, tile, colors, [](float r, float g, float b) -> Halves {
+        return {{to_half(r), to_half(g), to_half(b), to_half(1)}};
+    });
+}
+
+void write_float(const Frame& frame, const Tile& tile, const TileColors& colors) {
+    write_pixels<Floats>(frame, tile, colors, [](float r, float g, float b) -> Floats {
+        return {{r, g, b, 1}};
+    });
+}
+
+} // namespace
+
+Output Output::choose(const Frame& frame) {
+    Output output{map_nothing, write_float};
+    const bool shaded = frame.view == View::shaded;
+    if (shaded && frame.tone_mapping == ToneMapping::filmic) output.map_tones = map_filmic;
+    if (shaded && frame.tone_mapping == ToneMapping::clamp) output.map_tones = map_clamp;
+    switch (frame.format) {
+    case PixelFormat::rgba8_srgb:
+        output.write = shaded ? write_srgb_rgba : write_plain_rgba;
+        break;
+    case PixelFormat::bgra8_srgb:
+        output.write = shaded ? write_srgb_bgra : write_plain_bgra;
+        break;
+    case PixelFormat::rgba16f:
+        output.write = write_half;
+        break;
+    case PixelFormat::rgba32f:
+        break;
+    }
+    return output;
+}
+
+} // namespace peregrine::render

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+namespace peregrine::scene {
+
+// What a scene has, counted at commit. What it has not is skipped whole (promise 3). The values are
+// those of RT_FEATURE_*.
+enum Feature : uint32_t {
+    kTextures = 1u << 0,
+    kNormalMaps = 1u << 1,
+    kEmissive = 1u << 2,
+    kAlphaMask = 1u << 3,
+    kSpecular = 1u << 4,
+    kLights = 1u << 5,
+    kShadows = 1u << 6,
+    kDynamicMeshes = 1u << 7,
+    kSingleSidedMaterials = 1u << 8,
+    kAllFeatures = (1u << 9) - 1,
+};
+
+} // namespace peregrine::scene

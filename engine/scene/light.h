@@ -1,0 +1,27 @@
+#pragma once
+
+#include "math/vec.h"
+
+#include <cstdint>
+
+namespace peregrine::scene {
+
+enum class LightType : uint32_t { point = 0, spot = 1, directional = 2 };
+
+struct Light {
+    LightType type = LightType::point;
+    math::Vec3d position{0};
+    math::Vec3 direction{0, -1, 0}; // the way the light travels, unit length
+    float radius = 10;              // no light beyond
+    math::Vec3 intensity{1};        // candela, or lux if directional
+    float cone_inner_cos = 1;
+    float cone_outer_cos = 0.70710678f;
+    bool casts_shadow = true;
+};
+
+struct Environment {
+    math::Vec3 ambient{0.1f};
+    math::Vec3 background{0};
+};
+
+} // namespace peregrine::scene

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "accel/kdtree/tree.h"
+#include "base/memory.h"
+#include "geometry/triangle.h"
+#include "scene/features.h"
+#include "scene/light.h"
+#include "scene/material.h"
+#include "scene/mesh.h"
+#include "scene/texture.h"
+#include "trace/kernels.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace peregrine::scene {
+
+// The triangles of all meshes and the structure over them; shared by snapshots between which no
+// mesh changed.
+struct Geometry {
+    explicit Geometry(base::Memory* memory) : triangles(memory), tree(memory) {}
+
+    base::Vector<geometry::Triangle> triangles;
+    accel::kdtree::Tree tree;
+    uint64_t degenerate_count = 0;
+    uint64_t non_finite_count = 0;
+};
+
+// A frozen world: what queries and frames read. Never changes after its commit.
+struct Snapshot {
+    struct Mesh {
+        std::shared_ptr<const MeshData> data; // null: the slot is free
+        base::Vector<uint32_t> materials; // per triangle: index in Snapshot::materials; or empty
+        uint32_t material = 0;            // of all triangles if `materials` is empty
+        uint32_t generation = 0;
+        uint32_t layer_mask = ~0u;
+        bool dynamic = false;
+        uint64_t user_data = 0;
+
+        uint32_t material_of(uint32_t primitive) const {
+            return materials.empty() ? material : materials[primitive];
+        }
+    };
+
+    explicit Snapshot(base::Memory* memory)
+        : meshes(memory), layer_masks(memory), materials(memory), textures(memory), lights(memory) {
+    }
+
+    std::shared_ptr<const Geometry> geometry;
+    base::Vector<Mesh> meshes;                             // by slot
+    base::Vector<uint32_t> layer_masks;                    // by slot, for the kernels
+    base::Vector<Material> materials;                      // 0 is the default material
+    base::Vector<std::shared_ptr<const Texture>> textures; // keeps those of the materials alive
+    base::Vector<Light> lights;
+    Environment environment;
+    uint32_t features = 0; // Feature bits that the scene has
+    uint64_t version = 0;
+    const trace::Kernels* kernels = nullptr;
+
+    trace::Target target() const {
+        return {geometry->triangles.data(), geometry->tree.nodes.data(),
+                geometry->tree.references.data(), geometry->tree.bounds};
+    }
+};
+
+} // namespace peregrine::scene

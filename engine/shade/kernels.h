@@ -1,0 +1,54 @@
+#pragma once
+
+#include "base/isa.h"
+#include "scene/snapshot.h"
+#include "shade/prepared_light.h"
+#include "shade/surface.h"
+
+#include <cstdint>
+
+namespace peregrine::shade {
+
+// A batch of primary rays and what they hit: at most kBatch rays; arrays readable up to the next
+// multiple of 16.
+struct RayHits {
+    const float* direction[3]; // any length
+    const float* u;
+    const float* v;
+    const uint32_t* triangle;
+    const uint32_t* back_face;
+    uint32_t count;
+};
+
+// Where a light kernel puts the rays toward its light, packed.
+struct ShadowRays {
+    float* origin[3];
+    float* direction[3];
+    uint32_t* index; // of the ray in its batch
+};
+
+// The loops over a batch, compiled for each instruction set; all of them give the same bits.
+struct Kernels {
+    // What lies at the hits. `features`: what to look at (scene::Feature bits).
+    void (*find_surfaces)(const scene::Snapshot& snapshot, uint32_t features,
+                          float intersection_error, const RayHits& hits, Surface& out);
+
+    // By type of light, and whether anything is specular. Weighs the light at each point and lists
+    // the rays toward it from those that it may reach; returns their number.
+    uint32_t (*weigh_light[3][2])(const Surface& surface, uint32_t count,
+                                  const PreparedLight& light, LightWeights& weights,
+                                  const ShadowRays& rays);
+
+    // Adds the weighed light; whether specular.
+    void (*add_light[2])(const LightWeights& weights, uint32_t count, const math::Vec3& color,
+                         Illumination& sum);
+
+    // Radiance toward the viewer; whether specular, whether emissive.
+    void (*combine[2][2])(const Surface& surface, const Illumination& light, const RayHits& hits,
+                          const scene::Environment& environment, float* const radiance[3]);
+};
+
+// For this instruction set, or the plain one if it was not compiled. Does not ask the machine.
+const Kernels& kernels(base::Isa isa);
+
+} // namespace peregrine::shade

@@ -1,0 +1,84 @@
+#include "shade/shader.h"
+
+#include "scene/alpha_test.h"
+#include "shade/triangle_shading.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace peregrine::shade {
+
+void Scratch::initialize() {
+    std::fill_n(shadow_end, kPadded, 1.0f - 0x1p-12f);
+    std::fill_n(shadow_no_end, kPadded, std::numeric_limits<float>::infinity());
+}
+
+Shader Shader::prepare(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
+                       std::span<const PreparedLight> lights) {
+    Shader shader{};
+    shader.snapshot = &snapshot;
+    shader.kernels = &shade::kernels(snapshot.kernels->isa);
+    shader.lights = lights;
+    shader.target = snapshot.target();
+    shader.shadow_filter.alpha = scene::alpha_test(snapshot);
+    shader.intersection_error = shade::intersection_error(shader.target.bounds);
+    shader.features = features;
+    shader.shadows = shadows;
+    return shader;
+}
+
+void Shader::find_surfaces(const RayHits& hits, Scratch& scratch) const {
+    kernels->find_surfaces(*snapshot, features, intersection_error, hits, scratch.surface);
+}
+
+void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const {
+    find_surfaces(hits, scratch);
+    const bool specular = features & scene::kSpecular;
+    const uint32_t floats = specular ? 6 * kPadded : 3 * kPadded;
+    std::fill_n(&scratch.light.irradiance[0][0], floats, 0.0f);
+    if (!scratch.surface.bounds.empty())
+        for (const PreparedLight& light : lights)
+            if (reaches(light, scratch.surface.bounds)) illuminate(light, hits.count, scratch);
+    const bool emissive = features & scene::kEmissive;
+    kernels->combine[specular][emissive](scratch.surface, scratch.light, hits,
+                                         snapshot->environment, radiance);
+}
+
+void Shader::illuminate(const PreparedLight& light, uint32_t count, Scratch& scratch) const {
+    const bool specular = features & scene::kSpecular;
+    const ShadowRays rays = {
+        {scratch.shadow_origin[0], scratch.shadow_origin[1], scratch.shadow_origin[2]},
+        {scratch.shadow_direction[0], scratch.shadow_direction[1], scratch.shadow_direction[2]},
+        scratch.shadow_index};
+    const uint32_t ray_count = kernels->weigh_light[uint32_t(light.type)][specular](
+        scratch.surface, count, light, scratch.weights, rays);
+    if (ray_count == 0) return;
+    if (shadows && light.casts_shadow && !hide_occluded(light, ray_count, scratch)) return;
+    kernels->add_light[specular](scratch.weights, count, light.color, scratch.light);
+}
+
+// Takes the light away where something is in between; returns whether any is left.
+bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count,
+                           Scratch& scratch) const {
+    scratch.shadow_ray_count += ray_count;
+    const bool directional = light.type == scene::LightType::directional;
+    const trace::RayStream rays = {
+        {scratch.shadow_origin[0], scratch.shadow_origin[1], scratch.shadow_origin[2]},
+        {scratch.shadow_direction[0], scratch.shadow_direction[1], scratch.shadow_direction[2]},
+        scratch.shadow_begin,
+        directional ? scratch.shadow_no_end : scratch.shadow_end,
+        ray_count};
+    snapshot->kernels->occluded_stream(target, rays, shadow_filter, scratch.occluded);
+    uint32_t hidden = 0;
+    for (uint32_t k = 0; k < ray_count; ++k) {
+        // Without a branch: shadow edges are unpredictable.
+        float& weight = scratch.weights.diffuse[scratch.shadow_index[k]];
+        weight = std::bit_cast<float>(std::bit_cast<uint32_t>(weight)
+                                      & (uint32_t(scratch.occluded[k]) - 1u));
+        hidden += scratch.occluded[k];
+    }
+    return hidden < ray_count;
+}
+
+} // namespace peregrine::shade

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "scene/snapshot.h"
+#include "shade/kernels.h"
+#include "shade/prepared_light.h"
+
+#include <cstdint>
+#include <span>
+
+namespace peregrine::shade {
+
+// Working memory for one thread.
+struct alignas(64) Scratch {
+    Surface surface;
+    Illumination light;
+    LightWeights weights;
+    Surface::Lanes shadow_origin[3];
+    Surface::Lanes shadow_direction[3];
+    Surface::Lanes shadow_begin;  // zeros
+    Surface::Lanes shadow_end;    // just short of a light
+    Surface::Lanes shadow_no_end; // infinities
+    uint32_t shadow_index[kPadded];
+    uint8_t occluded[kPadded];
+    uint64_t shadow_ray_count;
+
+    void initialize(); // of zeroed memory
+};
+
+// What a frame needs to shade the hits of its rays. Read-only: all threads share it.
+struct Shader {
+    const scene::Snapshot* snapshot;
+    const Kernels* kernels;
+    std::span<const PreparedLight> lights;
+    trace::Target target;
+    trace::Filter shadow_filter;
+    float intersection_error;
+    uint32_t features; // to look at; may be fewer than the snapshot has
+    bool shadows;
+
+    // `lights` must outlive the result.
+    static Shader prepare(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
+                          std::span<const PreparedLight> lights);
+
+    // Fills scratch.surface.
+    void find_surfaces(const RayHits& hits, Scratch& scratch) const;
+
+    // Radiance of at most kBatch rays.
+    void shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const;
+
+private:
+    void illuminate(const PreparedLight& light, uint32_t count, Scratch& scratch) const;
+    bool hide_occluded(const PreparedLight& light, uint32_t ray_count, Scratch& scratch) const;
+};
+
+} // namespace peregrine::shade

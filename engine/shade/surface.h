@@ -1,0 +1,42 @@
+#pragma once
+
+#include "math/box.h"
+
+#include <cstdint>
+
+namespace peregrine::shade {
+
+inline constexpr uint32_t kBatch = 256;          // rays shaded at a time: they fit the L1 cache
+inline constexpr uint32_t kPadded = kBatch + 16; // vectors may write this far
+
+// What lies at the hits of a batch of rays, as separate arrays. A ray that missed has zero normals
+// and so catches no light.
+struct alignas(64) Surface {
+    using Lanes = float[kPadded];
+
+    Lanes position[3];  // lifted off the surface: shadow rays begin here
+    Lanes geometric[3]; // unit normal of the triangle, toward the viewer
+    Lanes normal[3];    // unit shading normal
+    Lanes bend;         // 1 / (geometric . normal)
+    Lanes albedo[3];
+    Lanes mirror[3]; // unit, the view mirrored by `normal`; with kSpecular
+    Lanes specular[3];
+    Lanes shininess;
+    Lanes emissive[3]; // with kEmissive
+    math::Box bounds;  // of the positions that were hit
+};
+static_assert(sizeof(Surface::Lanes) % 64 == 0);
+
+// Light that arrived at a batch.
+struct alignas(64) Illumination {
+    Surface::Lanes irradiance[3];
+    Surface::Lanes highlight[3]; // irradiance times the lobe
+};
+
+// What one light gives to a batch, in parts of its colour.
+struct alignas(64) LightWeights {
+    Surface::Lanes diffuse; // fall-off times cosine
+    Surface::Lanes lobe;    // times this: the highlight
+};
+
+} // namespace peregrine::shade

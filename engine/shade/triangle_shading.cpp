@@ -1,0 +1,109 @@
+#include "shade/triangle_shading.h"
+
+#include "scene/texture_sampling.h"
+#include "shade/highlight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace peregrine::shade {
+namespace {
+
+using math::Vec2;
+using math::Vec3;
+
+// In double, where neither slivers nor triangles of any scale underflow.
+Vec3 unit_normal(const Vec3* v) {
+    const math::Vec3d a = math::Vec3d(v[1]) - math::Vec3d(v[0]);
+    const math::Vec3d b = math::Vec3d(v[2]) - math::Vec3d(v[0]);
+    const math::Vec3d n = glm::cross(a, b);
+    const double length = std::sqrt(glm::dot(n, n));
+    return length > 0 ? Vec3(n / length) : Vec3(0, 0, 1);
+}
+
+// Moves a point that was computed from barycentrics clear of its triangle's plane, so that rays
+// from it to the geometric normal's side cannot hit that plane again. Pharr, Jakob, Humphreys, PBR
+// 3rd edition, 3.9: (1 - u - v) v0 + u v1 + v v2 is off by at most gamma(7) max |v_i| an axis; two
+// more roundings come from adding the lift itself.
+Vec3 surface_lift(const Vec3* v, const Vec3& normal, float intersection_error) {
+    constexpr float kGamma9 = 9.0f * 0x1p-24f * 1.001f;
+    const Vec3 largest = glm::max(glm::max(glm::abs(v[0]), glm::abs(v[1])), glm::abs(v[2]));
+    return normal * (kGamma9 * glm::dot(glm::abs(normal), largest) + intersection_error);
+}
+
+TextureOnTriangle place(const scene::TextureUse& use, const scene::MeshData& mesh,
+                        const std::array<uint32_t, 3>& vertices) {
+    TextureOnTriangle placed;
+    placed.texture = use.texture;
+    if (!use.texture) return placed;
+    for (uint32_t k = 0; k < 3; ++k)
+        placed.uv[k] =
+            scene::transform(use, scene::vertex_texcoord(mesh, vertices[k], use.texcoord_set));
+    return placed;
+}
+
+// The directions in which u grows and v falls: +Y of a normal map is up in the image, whose row 0
+// is at v = 0. Without usable coordinates any tangent will do.
+void derive_tangents(TriangleShading& out, const Vec3& front) {
+    const Vec3 e1 = out.vertex[1] - out.vertex[0], e2 = out.vertex[2] - out.vertex[0];
+    const Vec2 d1 = out.normal_map.uv[1] - out.normal_map.uv[0];
+    const Vec2 d2 = out.normal_map.uv[2] - out.normal_map.uv[0];
+    const float area = d1.x * d2.y - d2.x * d1.y;
+    // Only the direction matters: multiplying by the sign instead of dividing by the area.
+    const Vec3 du = (e1 * d2.y - e2 * d1.y) * (area < 0 ? -1.0f : 1.0f);
+    const float length = std::sqrt(glm::dot(du, du));
+    Vec3 tangent = std::fabs(front.x) < 0.7f ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+    if (area != 0 && length > 0 && std::isfinite(length)) tangent = du / length;
+    out.tangent[0] = out.tangent[1] = out.tangent[2] = tangent;
+    out.handedness = area < 0 ? 1.0f : -1.0f;
+}
+
+void gather_tangents(const scene::MeshData& mesh, const std::array<uint32_t, 3>& vertices,
+                     const Vec3& front, TriangleShading& out) {
+    if (mesh.tangents.empty()) return derive_tangents(out, front);
+    for (uint32_t k = 0; k < 3; ++k) out.tangent[k] = Vec3(mesh.tangents[vertices[k]]);
+    out.handedness = mesh.tangents[vertices[0]].w < 0 ? -1.0f : 1.0f;
+}
+
+} // namespace
+
+float intersection_error(const math::Box& bounds) {
+    if (bounds.empty()) return 0;
+    // geometry/intersect.h: a hit is closer than 8.1 e D to its triangle in the maximum norm,
+    // which is 14.1 e D across it. A ray that all but grazes the plane sinks by less than 4 e D
+    // below its rounded normal's horizon before it leaves the bounds. 20 covers both.
+    const Vec3 size = bounds.upper - bounds.lower;
+    return 20.0f * 0x1p-24f * std::max({size.x, size.y, size.z});
+}
+
+void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangle_index,
+            bool back_face, float intersection_error, TriangleShading& out) {
+    const geometry::Triangle& triangle = snapshot.geometry->triangles[triangle_index];
+    const scene::Snapshot::Mesh& slot = snapshot.meshes[triangle.mesh];
+    const scene::MeshData& mesh = *slot.data;
+    const std::array<uint32_t, 3>& vertices = mesh.triangles[triangle.primitive];
+    const scene::Material& material = snapshot.materials[slot.material_of(triangle.primitive)];
+    out.material = &material;
+    out.vertex[0] = triangle.v0;
+    out.vertex[1] = triangle.v1;
+    out.vertex[2] = triangle.v2;
+    const Vec3 front = unit_normal(out.vertex);
+    out.geometric = back_face ? -front : front;
+    out.lift = surface_lift(out.vertex, out.geometric, intersection_error);
+    out.smooth = !mesh.normals.empty();
+    if (out.smooth)
+        for (uint32_t k = 0; k < 3; ++k) out.normal[k] = mesh.normals[vertices[k]];
+    if ((features & scene::kSpecular) && out.shininess != material.shininess) {
+        out.shininess = material.shininess;
+        out.highlight_gain = highlight_gain(material.shininess);
+    }
+    if (features & scene::kTextures)
+        out.base_color = place(material.base_color_texture, mesh, vertices);
+    if (features & scene::kEmissive)
+        out.emissive = place(material.emissive_texture, mesh, vertices);
+    if (!(features & scene::kNormalMaps)) return;
+    out.normal_map = place(material.normal_texture, mesh, vertices);
+    if (out.normal_map.texture) gather_tangents(mesh, vertices, front, out);
+}
+
+} // namespace peregrine::shade

@@ -1,0 +1,157 @@
+// geometry/intersect.h for a packet: the same operations in the same order, lane by lane.
+#if defined(PEREGRINE_TRACE_INTERSECT_PACKET_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_INTERSECT_PACKET_INL_H
+#undef PEREGRINE_TRACE_INTERSECT_PACKET_INL_H
+#else
+#define PEREGRINE_TRACE_INTERSECT_PACKET_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "geometry/triangle.h"
+#include "trace/kernels.h"
+
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::trace::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Df = hn::ScalableTag<float>;
+using Dh = hn::Half<Df>;
+using Dd = hn::Repartition<double, Df>;
+using Du = hn::RebindToUnsigned<Df>;
+constexpr Df kF;
+constexpr Dh kH;
+constexpr Dd kD;
+constexpr Du kU;
+constexpr size_t kLanes = hn::MaxLanes(kF);
+using Vf = hn::Vec<Df>;
+using Vh = hn::Vec<Dh>;
+using Vd = hn::Vec<Dd>;
+using Vu = hn::Vec<Du>;
+using Mf = hn::Mask<Df>;
+
+HWY_INLINE HWY_ATTR uint64_t lane_bits(Mf mask) {
+    uint8_t bytes[8] = {};
+    hn::StoreMaskBits(kF, mask, bytes);
+    uint64_t bits;
+    __builtin_memcpy(&bits, bytes, sizeof bits);
+    return bits;
+}
+
+inline math::Ray ray_at(const RayStream& rays, size_t i) {
+    return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
+            rays.t_min[i],
+            {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]},
+            rays.t_max[i]};
+}
+
+// The parts of the test that depend on the rays alone; all lanes share the dominant axis.
+struct ShearedPacket {
+    int kx, ky, kz;
+    Vf ox, oy, oz;
+    Vf sx, sy, dz;
+
+    HWY_ATTR ShearedPacket(const Vf (&origin)[3], const Vf (&direction)[3], int axis) {
+        kz = axis;
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kx == 2 ? 0 : kx + 1;
+        ox = origin[kx];
+        oy = origin[ky];
+        oz = origin[kz];
+        dz = direction[kz];
+        sx = hn::Div(direction[kx], dz);
+        sy = hn::Div(direction[ky], dz);
+    }
+};
+
+struct PacketHit {
+    Mf lanes;
+    Vf t, u, v;
+    Vf back; // 1 or 0 as integer bits
+};
+
+// Steps 4 to 6 in double, for one half of the lanes. A lane without a hit gets t = NaN.
+struct Precise {
+    Vh t, u, v, facing;
+};
+HWY_INLINE HWY_ATTR Precise intersect_half(Vd ax, Vd ay, Vd az, Vd bx, Vd by, Vd bz, Vd cx, Vd cy,
+                                           Vd cz, Vd dz) {
+    const Vd u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
+    const Vd v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
+    const Vd w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+    const Vd zero = hn::Zero(kD);
+    const auto outside =
+        hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero), hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
+    const Vd det = hn::Add(hn::Add(u, v), w);
+    const auto missed = hn::Or(outside, hn::Eq(det, zero));
+    const Vd depth = hn::Add(hn::Add(hn::Mul(u, az), hn::Mul(v, bz)), hn::Mul(w, cz));
+    const Vd t = hn::Div(depth, hn::Mul(det, dz));
+    const Vd nan = hn::Set(kD, std::numeric_limits<double>::quiet_NaN());
+    const Vd facing = hn::CopySign(hn::Set(kD, 1.0), hn::Xor(det, dz));
+    return {hn::DemoteTo(kH, hn::IfThenElse(missed, nan, t)), hn::DemoteTo(kH, hn::Div(v, det)),
+            hn::DemoteTo(kH, hn::Div(w, det)), hn::DemoteTo(kH, facing)};
+}
+
+// The lanes of `active` that the triangle is hit by within [t_min, t_max]; false if there are none.
+HWY_INLINE HWY_ATTR bool intersect(const ShearedPacket& ray, const geometry::Triangle& triangle,
+                                   Mf active, Vf t_min, Vf t_max, PacketHit& hit) {
+    const auto shear = [&](const geometry::Vec3& p, Vf& x, Vf& y, Vf& z) HWY_ATTR {
+        z = hn::Sub(hn::Set(kF, p[ray.kz]), ray.oz);
+        x = hn::Sub(hn::Sub(hn::Set(kF, p[ray.kx]), ray.ox), hn::Mul(ray.sx, z));
+        y = hn::Sub(hn::Sub(hn::Set(kF, p[ray.ky]), ray.oy), hn::Mul(ray.sy, z));
+    };
+    Vf ax, ay, az, bx, by, bz, cx, cy, cz;
+    shear(triangle.v0, ax, ay, az);
+    shear(triangle.v1, bx, by, bz);
+    shear(triangle.v2, cx, cy, cz);
+
+    const Vf u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
+    const Vf v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
+    const Vf w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+    const Vf zero = hn::Zero(kF);
+    const Mf outside =
+        hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero), hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
+    const Mf maybe = hn::AndNot(outside, active);
+    if (hn::AllFalse(kF, maybe)) return false;
+
+    const auto low = [](Vf x) HWY_ATTR { return hn::PromoteTo(kD, hn::LowerHalf(kH, x)); };
+    const auto high = [](Vf x) HWY_ATTR { return hn::PromoteTo(kD, hn::UpperHalf(kH, x)); };
+    const Precise a = intersect_half(low(ax), low(ay), low(az), low(bx), low(by), low(bz), low(cx),
+                                     low(cy), low(cz), low(ray.dz));
+    const Precise b = intersect_half(high(ax), high(ay), high(az), high(bx), high(by), high(bz),
+                                     high(cx), high(cy), high(cz), high(ray.dz));
+    hit.t = hn::Combine(kF, b.t, a.t);
+    const Vf largest = hn::Set(kF, std::numeric_limits<float>::max());
+    hit.lanes = hn::And(maybe, hn::And(hn::Ge(hit.t, t_min),
+                                       hn::And(hn::Le(hit.t, t_max), hn::Le(hit.t, largest))));
+    if (hn::AllFalse(kF, hit.lanes)) return false;
+    hit.u = hn::Combine(kF, b.u, a.u);
+    hit.v = hn::Combine(kF, b.v, a.v);
+    const Vf facing = hn::Combine(kF, b.facing, a.facing);
+    hit.back = hn::BitCast(
+        kF, hn::IfThenElseZero(hn::RebindMask(kU, hn::Lt(facing, zero)), hn::Set(kU, 1)));
+    return true;
+}
+
+// The lanes of `lanes` whose hit the filter accepts.
+HWY_INLINE HWY_ATTR Mf accepted(Mf lanes, const Filter& filter, const geometry::Triangle& triangle,
+                                const PacketHit& hit) {
+    alignas(64) float u[kLanes], v[kLanes], kept[kLanes];
+    alignas(64) uint32_t back[kLanes];
+    hn::Store(hit.u, kF, u);
+    hn::Store(hit.v, kF, v);
+    hn::Store(hn::BitCast(kU, hit.back), kU, back);
+    const uint64_t bits = lane_bits(lanes);
+    for (size_t i = 0; i < kLanes; ++i) {
+        const bool keep = (bits >> i & 1) && filter.accepts(triangle, back[i] != 0, u[i], v[i]);
+        kept[i] = keep ? 1.0f : 0.0f;
+    }
+    return hn::Gt(hn::Load(kF, kept), hn::Zero(kF));
+}
+
+} // namespace peregrine::trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

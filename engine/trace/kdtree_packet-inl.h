@@ -1,0 +1,331 @@
+// One packet through the kd-tree. Included once for each instruction set by stream_kernels.cpp.
+#if defined(PEREGRINE_TRACE_KDTREE_PACKET_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_KDTREE_PACKET_INL_H
+#undef PEREGRINE_TRACE_KDTREE_PACKET_INL_H
+#else
+#define PEREGRINE_TRACE_KDTREE_PACKET_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "accel/kdtree/tree.h"
+#include "trace/intersect_packet-inl.h"
+#include "trace/kdtree_single.h"
+#include "trace/kernels.h"
+#include "trace/slabs.h"
+
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::trace::HWY_NAMESPACE {
+
+// The rays of a packet and what slabs() knows of them, in vectors.
+struct Packet {
+    Vf origin[3];
+    Vf direction[3];
+    Vf inverse[3];
+    Vf margin[3];
+    Vf t_min, t_max;
+    Vf t_near, t_far;
+    Mf present;           // lanes that hold a ray
+    Mf fits;              // ... whose numbers fit float: fits_float()
+    uint64_t leftward[3]; // bit mask of the lanes with a negative direction
+
+    HWY_ATTR Packet(const Target& target, const RayStream& rays, uint32_t first) {
+        for (int k = 0; k < 3; ++k) {
+            origin[k] = hn::Load(kF, rays.origin[k] + first);
+            direction[k] = hn::Load(kF, rays.direction[k] + first);
+        }
+        t_min = hn::Load(kF, rays.t_min + first);
+        t_max = hn::Load(kF, rays.t_max + first);
+        present = hn::FirstN(kF, rays.count - first);
+        find_slabs(target.bounds);
+    }
+
+    HWY_ATTR void find_slabs(const math::Box& bounds) {
+        Vf reach = hn::Zero(kF);
+        Vf largest = hn::Zero(kF);
+        for (int k = 0; k < 3; ++k) {
+            const Vf lower = hn::Abs(hn::Sub(hn::Set(kF, bounds.lower[k]), origin[k]));
+            const Vf upper = hn::Abs(hn::Sub(hn::Set(kF, bounds.upper[k]), origin[k]));
+            reach = hn::Max(reach, hn::Max(lower, upper));
+            largest = hn::Max(largest, hn::Abs(direction[k]));
+        }
+        fits = hn::And(
+            hn::And(hn::Ge(largest, hn::Set(kF, 0x1p-32f)), hn::Le(largest, hn::Set(kF, 0x1p32f))),
+            hn::And(hn::Ge(reach, hn::Set(kF, 0x1p-40f)), hn::Le(reach, hn::Set(kF, 0x1p60f))));
+        const Vf error = hn::Add(hn::Mul(hn::Set(kF, 0x1p-20f), reach), hn::Set(kF, 0x1p-146f));
+        const Vf smallest = hn::Mul(hn::Set(kF, 0x1p-26f), largest);
+        t_near = t_min;
+        t_far = t_max;
+        for (int k = 0; k < 3; ++k) {
+            const Vf d = direction[k];
+            const Vf clamped =
+                hn::IfThenElse(hn::Lt(hn::Abs(d), smallest), hn::CopySign(smallest, d), d);
+            inverse[k] = hn::Div(hn::Set(kF, 1.0f), clamped);
+            margin[k] = hn::Mul(error, hn::Abs(inverse[k]));
+            leftward[k] = lane_bits(hn::Lt(inverse[k], hn::Zero(kF)));
+            const Vf lower = hn::Mul(hn::Sub(hn::Set(kF, bounds.lower[k]), origin[k]), inverse[k]);
+            const Vf upper = hn::Mul(hn::Sub(hn::Set(kF, bounds.upper[k]), origin[k]), inverse[k]);
+            t_near = hn::Max(t_near, hn::Sub(hn::Min(lower, upper), margin[k]));
+            t_far = hn::Min(t_far, hn::Add(hn::Max(lower, upper), margin[k]));
+        }
+    }
+
+    // The axis of the largest |direction|, by the rule of geometry::shear.
+    HWY_ATTR Mf dominant(int kz) const {
+        const Vf x = hn::Abs(direction[0]), y = hn::Abs(direction[1]), z = hn::Abs(direction[2]);
+        if (kz == 0) return hn::And(hn::Ge(x, y), hn::Ge(x, z));
+        if (kz == 1) return hn::And(hn::Gt(y, x), hn::Ge(y, z));
+        return hn::And(hn::Gt(z, x), hn::Gt(z, y));
+    }
+};
+
+// Visits the leaves that lanes of `active` may touch. `leaf(first, count, lanes)` returns true to
+// stop; it lowers `t_limit`. Returns the number of nodes visited.
+template <class Leaf>
+HWY_ATTR uint32_t visit_leaves(const Target& target, const Packet& packet, Mf active,
+                               const Vf& t_limit, Leaf&& leaf) {
+    struct Entry {
+        Vf t_near, t_far;
+        uint32_t node;
+    };
+    Entry stack[accel::kdtree::kMaxDepth]; // one entry a level at most
+    uint32_t depth = 0;
+    uint32_t visited = 0;
+    uint32_t index = 0;
+    Vf t_near = hn::IfThenElse(active, packet.t_near, hn::Set(kF, 1.0f));
+    Vf t_far = hn::IfThenElse(active, packet.t_far, hn::Set(kF, -1.0f));
+    if (hn::AllFalse(kF, hn::Le(t_near, t_far))) return visited;
+
+    for (;;) {
+        accel::kdtree::Node node = target.nodes[index];
+        ++visited;
+        while (!node.is_leaf()) {
+            const uint32_t k = node.axis();
+            const Vf t =
+                hn::Mul(hn::Sub(hn::Set(kF, node.split), packet.origin[k]), packet.inverse[k]);
+            const Vf t_first = hn::Sub(t, packet.margin[k]);
+            const Vf t_last = hn::Add(t, packet.margin[k]);
+            // Lanes may disagree on which child is near; each gets its own interval in both.
+            const uint64_t live = lane_bits(hn::Le(t_near, t_far));
+            const uint64_t leftward = packet.leftward[k] & live;
+            const bool from_right = std::popcount(leftward) * 2 > std::popcount(live);
+            Vf near_begin = t_near, near_end = hn::Min(t_far, t_last);
+            Vf far_begin = hn::Max(t_near, t_first), far_end = t_far;
+            if (leftward != 0 && leftward != live) {
+                const Mf reversed = hn::Lt(packet.inverse[k], hn::Zero(kF));
+                const Mf agrees = from_right ? reversed : hn::Not(reversed);
+                const Vf a = near_begin, b = near_end;
+                near_begin = hn::IfThenElse(agrees, near_begin, far_begin);
+                near_end = hn::IfThenElse(agrees, near_end, far_end);
+                far_begin = hn::IfThenElse(agrees, far_begin, a);
+                far_end = hn::IfThenElse(agrees, far_end, b);
+            }
+            const bool any_near = !hn::AllFalse(kF, hn::Le(near_begin, near_end));
+            const bool any_far = !hn::AllFalse(kF, hn::Le(far_begin, far_end));
+            const uint32_t near_child = node.left_child() + from_right;
+            const uint32_t far_child = node.left_child() + !from_right;
+            if (any_near) {
+                if (any_far) stack[depth++] = {far_begin, far_end, far_child};
+                index = near_child;
+                t_near = near_begin;
+                t_far = near_end;
+            } else {
+                index = far_child;
+                t_near = far_begin;
+                t_far = far_end;
+            }
+            node = target.nodes[index];
+            ++visited;
+        }
+        if (leaf(node.first_reference, node.reference_count(), hn::Le(t_near, t_far)))
+            return visited;
+        do {
+            if (depth == 0) return visited;
+            const Entry& entry = stack[--depth];
+            index = entry.node;
+            t_near = entry.t_near;
+            t_far = hn::Min(entry.t_far, t_limit);
+        } while (hn::AllFalse(kF, hn::Le(t_near, t_far)));
+    }
+}
+
+template <bool Filtered>
+class ClosestPacket {
+public:
+    HWY_ATTR ClosestPacket(const Target& target, const Filter& filter, const RayStream& rays,
+                           uint32_t first)
+        : target_(target), filter_(filter), rays_(rays), first_(first),
+          packet_(target, rays, first) {
+        t_ = packet_.t_max;
+        u_ = v_ = back_ = hn::Zero(kF);
+        triangle_ = hn::Set(kU, geometry::kNoTriangle);
+    }
+
+    HWY_ATTR void trace(const HitStream& hits) {
+        uint32_t steps = 0;
+        if (target_.bounds.empty()) return store(hits, steps);
+        const Mf regular = hn::And(packet_.present, packet_.fits);
+        for (int kz = 0; kz < 3; ++kz) {
+            const Mf lanes = hn::And(regular, packet_.dominant(kz));
+            if (!hn::AllFalse(kF, lanes)) steps += trace(kz, lanes);
+        }
+        store(hits, steps);
+        trace_irregular(hits);
+    }
+
+private:
+    HWY_ATTR uint32_t trace(int kz, Mf lanes) {
+        const ShearedPacket sheared(packet_.origin, packet_.direction, kz);
+        return visit_leaves(target_, packet_, lanes, t_,
+                            [&](uint32_t first, uint32_t count, Mf active) HWY_ATTR {
+                                for (uint32_t i = first; i < first + count; ++i)
+                                    test(sheared, target_.references[i], active);
+                                return false;
+                            });
+    }
+
+    HWY_ATTR void test(const ShearedPacket& sheared, uint32_t index, Mf active) {
+        const geometry::Triangle& triangle = target_.triangles[index];
+        PacketHit hit;
+        if (!intersect(sheared, triangle, active, packet_.t_min, t_, hit)) return;
+        Mf wins = hn::And(hit.lanes, hn::Or(hn::Lt(hit.t, t_), first_hits()));
+        const Mf ties = hn::AndNot(wins, hit.lanes);
+        if (!hn::AllFalse(kF, ties)) wins = hn::Or(wins, ties_won(ties, triangle));
+        if (Filtered) wins = accepted(wins, filter_, triangle, hit);
+        t_ = hn::IfThenElse(wins, hit.t, t_);
+        u_ = hn::IfThenElse(wins, hit.u, u_);
+        v_ = hn::IfThenElse(wins, hit.v, v_);
+        back_ = hn::IfThenElse(wins, hit.back, back_);
+        triangle_ = hn::IfThenElse(hn::RebindMask(kU, wins), hn::Set(kU, index), triangle_);
+    }
+
+    HWY_ATTR Mf first_hits() const {
+        return hn::RebindMask(kF, hn::Eq(triangle_, hn::Set(kU, geometry::kNoTriangle)));
+    }
+
+    HWY_ATTR Mf ties_won(Mf ties, const geometry::Triangle& triangle) const {
+        alignas(64) uint32_t best[kLanes];
+        alignas(64) float won[kLanes];
+        hn::Store(triangle_, kU, best);
+        const uint64_t lanes = lane_bits(ties);
+        for (size_t i = 0; i < kLanes; ++i) {
+            won[i] = (lanes >> i & 1) && comes_first(0, triangle, 0, target_.triangles + best[i])
+                         ? 1.0f
+                         : 0.0f;
+        }
+        return hn::Gt(hn::Load(kF, won), hn::Zero(kF));
+    }
+
+    HWY_ATTR void store(const HitStream& hits, uint32_t steps) const {
+        const Mf missed = first_hits();
+        const Vf infinity = hn::Set(kF, std::numeric_limits<float>::infinity());
+        hn::Store(hn::IfThenElse(missed, infinity, t_), kF, hits.t + first_);
+        hn::Store(u_, kF, hits.u + first_);
+        hn::Store(v_, kF, hits.v + first_);
+        hn::Store(triangle_, kU, hits.triangle + first_);
+        hn::Store(hn::BitCast(kU, back_), kU, hits.back_face + first_);
+        if (hits.steps) hn::Store(hn::Set(kU, steps), kU, hits.steps + first_);
+    }
+
+    HWY_ATTR void trace_irregular(const HitStream& hits) const {
+        const uint64_t lanes = lane_bits(hn::AndNot(packet_.fits, packet_.present));
+        for (size_t i = 0; lanes >> i; ++i) {
+            if (!(lanes >> i & 1)) continue;
+            const size_t at = first_ + i;
+            const math::Ray ray = ray_at(rays_, at);
+            const Hit hit = closest_single<Filtered, double>(
+                target_, ray, filter_, reach<double>(target_.bounds, ray.origin));
+            hits.t[at] = hit.t;
+            hits.u[at] = hit.u;
+            hits.v[at] = hit.v;
+            hits.triangle[at] = hit.triangle;
+            hits.back_face[at] = hit.back_face;
+            if (hits.steps) hits.steps[at] = hit.steps;
+        }
+    }
+
+    const Target& target_;
+    const Filter& filter_;
+    const RayStream& rays_;
+    size_t first_;
+    Packet packet_;
+    Vf t_, u_, v_, back_; // back_ holds the integers 0 and 1 as bits
+    Vu triangle_;
+};
+
+template <bool Filtered>
+class OccludedPacket {
+public:
+    HWY_ATTR OccludedPacket(const Target& target, const Filter& filter, const RayStream& rays,
+                            uint32_t first)
+        : target_(target), filter_(filter), rays_(rays), first_(first),
+          packet_(target, rays, first) {}
+
+    HWY_ATTR void trace(uint8_t* occluded) {
+        uint64_t blocked = 0;
+        if (!target_.bounds.empty()) {
+            const Mf regular = hn::And(packet_.present, packet_.fits);
+            for (int kz = 0; kz < 3; ++kz) {
+                const Mf lanes = hn::And(regular, packet_.dominant(kz));
+                if (!hn::AllFalse(kF, lanes)) blocked |= trace(kz, lanes);
+            }
+            blocked |= trace_irregular();
+        }
+        for (uint64_t i = 0, n = lane_bits(packet_.present); n >> i; ++i)
+            occluded[first_ + i] = blocked >> i & 1;
+    }
+
+private:
+    HWY_ATTR uint64_t trace(int kz, Mf lanes) {
+        const ShearedPacket sheared(packet_.origin, packet_.direction, kz);
+        // A blocked lane gets a limit below every t, which takes it out of the traversal.
+        Vf t_limit = packet_.t_far;
+        uint64_t blocked = 0;
+        const uint64_t all = lane_bits(lanes);
+        visit_leaves(
+            target_, packet_, lanes, t_limit,
+            [&](uint32_t first, uint32_t count, Mf active) HWY_ATTR {
+                Mf open = hn::And(active, hn::Gt(t_limit, hn::Set(kF, kNever)));
+                for (uint32_t i = first; i < first + count; ++i) {
+                    const auto& triangle = target_.triangles[target_.references[i]];
+                    PacketHit hit;
+                    if (!intersect(sheared, triangle, open, packet_.t_min, packet_.t_max, hit))
+                        continue;
+                    if (Filtered) hit.lanes = accepted(hit.lanes, filter_, triangle, hit);
+                    open = hn::AndNot(hit.lanes, open);
+                    t_limit = hn::IfThenElse(hit.lanes, hn::Set(kF, kNever), t_limit);
+                    blocked |= lane_bits(hit.lanes);
+                    if (hn::AllFalse(kF, open)) break;
+                }
+                return blocked == all;
+            });
+        return blocked;
+    }
+
+    HWY_ATTR uint64_t trace_irregular() const {
+        uint64_t blocked = 0;
+        const uint64_t lanes = lane_bits(hn::AndNot(packet_.fits, packet_.present));
+        for (uint64_t i = 0; lanes >> i; ++i) {
+            if (!(lanes >> i & 1)) continue;
+            const math::Ray ray = ray_at(rays_, first_ + i);
+            if (occluded_single<Filtered, double>(target_, ray, filter_,
+                                                  reach<double>(target_.bounds, ray.origin)))
+                blocked |= uint64_t(1) << i;
+        }
+        return blocked;
+    }
+
+    static constexpr float kNever = std::numeric_limits<float>::lowest();
+
+    const Target& target_;
+    const Filter& filter_;
+    const RayStream& rays_;
+    size_t first_;
+    Packet packet_;
+};
+
+} // namespace peregrine::trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

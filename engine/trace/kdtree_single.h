@@ -1,0 +1,114 @@
+#pragma once
+
+#include "accel/kdtree/tree.h"
+#include "geometry/intersect.h"
+#include "trace/kernels.h"
+#include "trace/slabs.h"
+
+namespace peregrine::trace {
+
+// Smaller t first; of equal ones the smaller (mesh, primitive). Independent of any order of visits.
+inline bool comes_first(float t, const geometry::Triangle& triangle, float best_t,
+                        const geometry::Triangle* best) {
+    if (t != best_t || !best) return t <= best_t;
+    return triangle.mesh != best->mesh ? triangle.mesh < best->mesh
+                                       : triangle.primitive < best->primitive;
+}
+
+// Visits the leaves that the ray may touch, near ones first. `leaf(first, count, t_far)` may lower
+// t_far to what is still of interest; it returns true to stop. Returns the number of nodes visited.
+template <class Real, class Leaf>
+uint32_t visit_leaves(const Target& target, Slabs<Real> ray, Leaf&& leaf) {
+    struct Entry {
+        uint32_t node;
+        Real t_near, t_far;
+    };
+    Entry stack[accel::kdtree::kMaxDepth]; // one entry a level at most
+    uint32_t depth = 0;
+    uint32_t visited = 0;
+    uint32_t index = 0;
+    Real t_near = ray.t_near;
+    Real t_far = ray.t_far;
+    Real t_limit = ray.t_far;
+    if (!(t_near <= t_far)) return visited;
+
+    for (;;) {
+        accel::kdtree::Node node = target.nodes[index];
+        ++visited;
+        while (!node.is_leaf()) {
+            const uint32_t k = node.axis();
+            const Real t = (Real(node.split) - ray.origin[k]) * ray.inverse[k];
+            const Real t_first = t - ray.margin[k];
+            const Real t_last = t + ray.margin[k];
+            const uint32_t from_right = ray.inverse[k] < 0;
+            const uint32_t near_child = node.left_child() + from_right;
+            const uint32_t far_child = node.left_child() + (from_right ^ 1);
+            if (t_last < t_near) {
+                index = far_child;
+            } else {
+                index = near_child;
+                if (t_first <= t_far) {
+                    stack[depth++] = {far_child, std::max(t_near, t_first), t_far};
+                    t_far = std::min(t_far, t_last);
+                }
+            }
+            node = target.nodes[index];
+            ++visited;
+        }
+        if (leaf(node.first_reference, node.reference_count(), t_limit)) return visited;
+        do {
+            if (depth == 0) return visited;
+            const Entry& entry = stack[--depth];
+            index = entry.node;
+            t_near = entry.t_near;
+            t_far = std::min(entry.t_far, t_limit);
+        } while (t_near > t_far);
+    }
+}
+
+template <bool Filtered, class Real>
+Hit closest_single(const Target& target, const math::Ray& ray, const Filter& filter, Real reach) {
+    geometry::ShearedRay sheared = geometry::shear(ray);
+    const geometry::Triangle* best = nullptr;
+    geometry::TriangleHit found{};
+    const uint32_t steps = visit_leaves(
+        target, slabs<Real>(target.bounds, ray, reach),
+        [&](uint32_t first, uint32_t count, Real& t_limit) {
+            for (uint32_t i = first; i < first + count; ++i) {
+                const auto& triangle = target.triangles[target.references[i]];
+                geometry::TriangleHit hit;
+                if (!geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit))
+                    continue;
+                if (!comes_first(hit.t, triangle, sheared.t_max, best)) continue;
+                if (Filtered && !filter.accepts(triangle, hit.back_face, hit.u, hit.v)) continue;
+                best = &triangle;
+                found = hit;
+                sheared.t_max = hit.t;
+                t_limit = std::min(t_limit, Real(hit.t));
+            }
+            return false;
+        });
+    if (!best)
+        return {std::numeric_limits<float>::infinity(), 0, 0, geometry::kNoTriangle, false, steps};
+    return {found.t, found.u, found.v, uint32_t(best - target.triangles), found.back_face, steps};
+}
+
+template <bool Filtered, class Real>
+bool occluded_single(const Target& target, const math::Ray& ray, const Filter& filter, Real reach) {
+    const geometry::ShearedRay sheared = geometry::shear(ray);
+    bool occluded = false;
+    visit_leaves(
+        target, slabs<Real>(target.bounds, ray, reach), [&](uint32_t first, uint32_t count, Real&) {
+            for (uint32_t i = first; i < first + count; ++i) {
+                const auto& triangle = target.triangles[target.references[i]];
+                geometry::TriangleHit hit;
+                if (geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)
+                    && (!Filtered || filter.accepts(triangle, hit.back_face, hit.u, hit.v)))
+                    return occluded = true;
+            }
+            return false;
+        });
+    return occluded;
+}
+
+} // namespace peregrine::trace

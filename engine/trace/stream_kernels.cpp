@@ -1,0 +1,78 @@
+// The packet kernels, compiled once for each instruction set: a packet is as many rays as a vector
+// has floats. Same operations in the same order as geometry/intersect.h and trace/kdtree_single.h,
+// so the same bits.
+#include "base/simd_targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/stream_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "trace/stream_kernels.h"
+
+#if HWY_TARGET != HWY_SCALAR // there the single-ray kernels do the work
+#include "trace/kdtree_packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::trace::HWY_NAMESPACE {
+
+template <bool Filtered>
+HWY_ATTR void closest_stream(const Target& target, const RayStream& rays, const Filter& filter,
+                             const HitStream& hits) {
+    for (uint32_t first = 0; first < rays.count; first += kLanes)
+        ClosestPacket<Filtered>(target, filter, rays, first).trace(hits);
+}
+
+template <bool Filtered>
+HWY_ATTR void occluded_stream(const Target& target, const RayStream& rays, const Filter& filter,
+                              uint8_t* occluded) {
+    for (uint32_t first = 0; first < rays.count; first += kLanes)
+        OccludedPacket<Filtered>(target, filter, rays, first).trace(occluded);
+}
+
+HWY_ATTR void closest(const Target& target, const RayStream& rays, const Filter& filter,
+                      const HitStream& hits) {
+    filter.trivial() ? closest_stream<false>(target, rays, filter, hits)
+                     : closest_stream<true>(target, rays, filter, hits);
+}
+
+HWY_ATTR void occluded(const Target& target, const RayStream& rays, const Filter& filter,
+                       uint8_t* result) {
+    filter.trivial() ? occluded_stream<false>(target, rays, filter, result)
+                     : occluded_stream<true>(target, rays, filter, result);
+}
+
+[[maybe_unused]] constexpr StreamKernels kStreamKernels = {closest, occluded};
+
+} // namespace peregrine::trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+namespace peregrine::trace {
+
+const StreamKernels* stream_kernels(base::Isa isa) {
+    switch (isa) {
+#if HWY_TARGETS & HWY_SSE4
+    case base::Isa::sse4:
+        return &N_SSE4::kStreamKernels;
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    case base::Isa::avx2:
+        return &N_AVX2::kStreamKernels;
+#endif
+#if HWY_TARGETS & HWY_AVX3
+    case base::Isa::avx512:
+        return &N_AVX3::kStreamKernels;
+#endif
+#if HWY_TARGETS & HWY_NEON
+    case base::Isa::neon:
+        return &N_NEON::kStreamKernels;
+#endif
+    default:
+        return nullptr;
+    }
+}
+
+} // namespace peregrine::trace
+#endif

@@ -1,0 +1,51 @@
+#include "cameras.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "error.h"
+
+namespace host {
+
+namespace {
+
+Viewpoint frame_bounds(const Bounds& bounds) {
+    Viewpoint view;
+    view.name = "bounds";
+    const double radius = bounds.empty() ? 1.0 : std::max(0.5 * bounds.diagonal(), 1e-3);
+    const glm::dvec3 towards = glm::normalize(glm::dvec3(-0.5, -0.45, -1.0));
+    const double half_fov = 0.5 * static_cast<double>(view.vertical_fov);
+    view.position = bounds.center() - towards * (radius / std::sin(half_fov));
+    view.forward = glm::vec3(towards);
+    return view;
+}
+
+} // namespace
+
+std::vector<Viewpoint> usable_cameras(const Level& level) {
+    if (!level.cameras.empty()) return level.cameras;
+    return {frame_bounds(level.bounds)};
+}
+
+size_t find_camera(const std::vector<Viewpoint>& cameras, const std::string& name_or_index) {
+    if (name_or_index.empty()) return 0;
+    for (size_t i = 0; i < cameras.size(); ++i)
+        if (cameras[i].name == name_or_index) return i;
+    size_t index = 0;
+    const char* last = name_or_index.data() + name_or_index.size();
+    const auto [end, error] = std::from_chars(name_or_index.data(), last, index);
+    if (error == std::errc() && end == last && index < cameras.size()) return index;
+    throw InputError("the scene has no camera \"" + name_or_index + "\"; it has "
+                     + std::to_string(cameras.size()) + " (--list-cameras names them)");
+}
+
+Light default_light() {
+    Light light;
+    light.name = "default";
+    light.type = LightType::directional;
+    light.direction = glm::vec3(-0.35f, -0.8f, -0.55f);
+    light.intensity = glm::vec3(2.5f);
+    return light;
+}
+
+} // namespace host

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <tiny_gltf.h>
+
+namespace host::gltf {
+
+// The bytes of a buffer view, checked against its buffer. Throws InputError.
+std::span<const unsigned char> view_bytes(const tinygltf::Model& model, int buffer_view,
+                                          const std::string& user);
+
+// One accessor whose every element is known to lie within its buffer, sparse ones included.
+class Accessor {
+  public:
+    // Throws InputError if any element would lie outside.
+    Accessor(const tinygltf::Model& model, int index, uint64_t bytes_read);
+
+    uint64_t count() const { return m_count; }
+    int components() const { return m_components; }
+    const std::string& name() const { return m_name; }
+
+    // Components that the accessor does not have read as 0. `element` must be below count().
+    float read(uint64_t element, int component) const;
+    uint32_t read_index(uint64_t element) const; // for integer accessors
+    bool is_unsigned_integer() const;
+
+    glm::vec2 read_vec2(uint64_t i) const { return {read(i, 0), read(i, 1)}; }
+    glm::vec3 read_vec3(uint64_t i) const { return {read(i, 0), read(i, 1), read(i, 2)}; }
+    glm::vec4 read_vec4(uint64_t i) const {
+        return {read(i, 0), read(i, 1), read(i, 2), read(i, 3)};
+    }
+    glm::mat4 read_mat4(uint64_t i) const;
+
+  private:
+    void open_dense(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
+                    uint64_t bytes_read);
+    void open_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor);
+    const unsigned char* find_element(uint64_t element) const; // null: zeros
+
+    std::string m_name;
+    uint64_t m_count = 0;
+    uint64_t m_stride = 0, m_component_bytes = 0;
+    int m_components = 0, m_component_type = 0;
+    bool m_normalized = false;
+    const unsigned char* m_data = nullptr; // null: all zeros
+    std::vector<uint32_t> m_sparse_indices; // ascending
+    const unsigned char* m_sparse_values = nullptr;
+};
+
+// Opens each accessor once.
+class Accessors {
+  public:
+    Accessors(const tinygltf::Model& model, uint64_t bytes_read)
+        : m_model(model), m_bytes_read(bytes_read), m_open(model.accessors.size()) {}
+
+    // Throws InputError if there is no such accessor or it is not sound.
+    const Accessor& open(int index);
+
+  private:
+    const tinygltf::Model& m_model;
+    uint64_t m_bytes_read;
+    std::vector<std::unique_ptr<Accessor>> m_open;
+};
+
+} // namespace host::gltf

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include "../level.h"
+#include "accessor.h"
+#include "budget.h"
+#include "node_tree.h"
+#include "notes.h"
+
+namespace host::gltf {
+
+// Bakes every mesh of the scene's nodes to world space: a Level mesh a node (two or more where its
+// primitives differ in the attributes that cannot be padded), materials by the file's numbers.
+// Throws InputError.
+void import_geometry(const tinygltf::Model& model, const NodeTree& tree, Accessors& accessors,
+                     Budget& budget, Level& level, Notes& notes);
+
+} // namespace host::gltf

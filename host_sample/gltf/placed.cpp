@@ -1,0 +1,111 @@
+#include "placed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "../error.h"
+#include "value.h"
+
+namespace host::gltf {
+
+namespace {
+
+// A light without a range ends where it would give less than this.
+constexpr double faintest_lux = 1.0 / 50.0;
+
+std::optional<glm::vec3> unit_axis(const glm::dvec4& axis) {
+    const glm::dvec3 v(axis);
+    const double length = glm::length(v);
+    if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
+    return glm::vec3(v / length);
+}
+
+// A node looks along its -Z with +Y up. Nothing if its transform is flat or not finite.
+std::optional<Viewpoint> to_viewpoint(const glm::dmat4& world, const std::string& name) {
+    const auto forward = unit_axis(-world[2]);
+    const auto up = unit_axis(world[1]);
+    const glm::dvec3 position(world[3]);
+    const bool finite = std::isfinite(position.x + position.y + position.z);
+    if (!forward || !up || !finite) return std::nullopt;
+    if (glm::length(glm::cross(*forward, *up)) < 1e-3f) return std::nullopt;
+    return Viewpoint{name, position, *forward, *up, Viewpoint{}.vertical_fov};
+}
+
+LightType to_type(const std::string& type) {
+    if (type == "spot") return LightType::spot;
+    return type == "directional" ? LightType::directional : LightType::point;
+}
+
+float to_radius(double range, const glm::vec3& intensity, double diagonal) {
+    if (range > 0.0 && std::isfinite(range)) return static_cast<float>(std::min(range, 1e6));
+    const double strongest = std::max({intensity.r, intensity.g, intensity.b});
+    const double reach = std::sqrt(strongest / faintest_lux);
+    return static_cast<float>(std::max(diagonal > 0.0 ? std::min(reach, diagonal) : reach, 1e-3));
+}
+
+void add_light(const tinygltf::Light& source, const Viewpoint& place, Level& level) {
+    Light light;
+    light.name = place.name;
+    light.type = to_type(source.type);
+    light.position = place.position;
+    light.direction = place.forward;
+    glm::vec3 color(1.0f);
+    if (source.color.size() >= 3)
+        color = {to_factor(source.color[0]), to_factor(source.color[1]),
+                 to_factor(source.color[2])};
+    light.intensity = color * to_factor(source.intensity);
+    if (light.intensity == glm::vec3(0.0f)) return;
+    light.radius = to_radius(source.range, light.intensity, level.bounds.diagonal());
+    const auto angle = [](double a) { return std::isfinite(a) ? std::clamp(a, 0.0, 1.5707963) : 0.0; };
+    light.cone_outer_cos = static_cast<float>(std::cos(angle(source.spot.outerConeAngle)));
+    light.cone_inner_cos = std::max(
+        static_cast<float>(std::cos(angle(source.spot.innerConeAngle))), light.cone_outer_cos);
+    level.lights.push_back(light);
+}
+
+void add_camera(const tinygltf::Camera& source, Viewpoint view, Level& level, Notes& notes) {
+    if (source.type != "perspective") {
+        notes.add("orthographic cameras are left out");
+        return;
+    }
+    const double fov = source.perspective.yfov;
+    if (fov > 0.01 && fov < 3.1) view.vertical_fov = static_cast<float>(fov);
+    if (view.name.empty()) view.name = source.name;
+    if (view.name.empty()) view.name = "camera_" + std::to_string(level.cameras.size());
+    level.cameras.push_back(view);
+}
+
+template <class T>
+const T& checked(const std::vector<T>& items, int index, const char* what) {
+    if (index < 0 || static_cast<size_t>(index) >= items.size())
+        throw InputError(std::string(what) + " " + std::to_string(index)
+                         + " is named but does not exist");
+    return items[static_cast<size_t>(index)];
+}
+
+void import_node(const tinygltf::Model& model, const tinygltf::Node& node, const glm::dmat4& world,
+                 Level& level, Notes& notes) {
+    const auto* punctual = find_extension(node.extensions, "KHR_lights_punctual");
+    const bool spawn = node.mesh < 0 && node.name.rfind("spawn_", 0) == 0;
+    if (!punctual && node.camera < 0 && !spawn) return;
+    const auto place = to_viewpoint(world, node.name);
+    if (!place) {
+        notes.add("a light, camera or spawn point without a usable transform is left out");
+        return;
+    }
+    if (punctual) add_light(checked(model.lights, read_index(*punctual, "light"), "light"), *place,
+                            level);
+    if (node.camera >= 0)
+        add_camera(checked(model.cameras, node.camera, "camera"), *place, level, notes);
+    if (spawn) level.spawns.push_back(*place);
+}
+
+} // namespace
+
+void import_placed(const tinygltf::Model& model, const NodeTree& tree, Level& level, Notes& notes) {
+    for (const uint32_t node : tree.scene_nodes)
+        import_node(model, model.nodes[node], tree.world[node], level, notes);
+}
+
+} // namespace host::gltf

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+// What was read from a scene file, baked to world space: plain data that knows neither the file
+// format nor the engine.
+namespace host {
+
+inline constexpr uint32_t no_index = std::numeric_limits<uint32_t>::max();
+
+struct Image {
+    std::string name;
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> rgba; // top row first
+};
+
+enum class Wrap { repeat, mirror, clamp };
+
+struct Texture {
+    uint32_t image = no_index;
+    bool srgb = true;
+    bool nearest = false;
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+
+    friend auto operator<=>(const Texture&, const Texture&) = default;
+};
+
+struct TextureUse {
+    uint32_t texture = no_index;
+    float transform[6] = {1, 0, 0, 0, 1, 0}; // two rows of a 2x3 matrix
+    uint32_t texcoord_set = 0;
+};
+
+struct Material {
+    std::string name;
+    glm::vec4 base_color{1.0f};
+    glm::vec3 emissive{0.0f};
+    glm::vec3 specular{0.0f};
+    float shininess = 1.0f;
+    float normal_scale = 1.0f;
+    float alpha_cutoff = 0.5f;
+    bool masked = false;
+    bool double_sided = false;
+    TextureUse base_color_texture, normal_texture, emissive_texture;
+};
+
+// Attribute arrays are empty or as long as `positions`.
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions, normals;
+    std::vector<glm::vec4> tangents;
+    std::vector<glm::vec2> texcoords, texcoords1;
+    std::vector<uint32_t> indices;   // three a triangle
+    std::vector<uint32_t> materials; // one a triangle; no_index: the default material
+
+    size_t triangle_count() const { return materials.size(); }
+};
+
+enum class LightType { point, spot, directional };
+
+struct Light {
+    std::string name;
+    LightType type = LightType::point;
+    glm::dvec3 position{0.0};
+    glm::vec3 direction{0.0f, -1.0f, 0.0f};
+    glm::vec3 intensity{1.0f};
+    float radius = 10.0f;
+    float cone_inner_cos = 1.0f, cone_outer_cos = 0.70710678f;
+};
+
+struct Viewpoint {
+    std::string name;
+    glm::dvec3 position{0.0};
+    glm::vec3 forward{0.0f, 0.0f, -1.0f};
+    glm::vec3 up{0.0f, 1.0f, 0.0f};
+    float vertical_fov = 1.0471976f;
+};
+
+struct Bounds {
+    glm::dvec3 lower{std::numeric_limits<double>::infinity()};
+    glm::dvec3 upper{-std::numeric_limits<double>::infinity()};
+
+    bool empty() const { return !(lower.x <= upper.x); }
+    double diagonal() const { return empty() ? 0.0 : glm::length(upper - lower); }
+    glm::dvec3 center() const { return empty() ? glm::dvec3(0.0) : 0.5 * (lower + upper); }
+};
+
+struct Level {
+    std::string name;
+    std::vector<Image> images;
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Light> lights;
+    std::vector<Viewpoint> cameras;
+    std::vector<Viewpoint> spawns;
+    Bounds bounds;                  // of the finite vertices
+    std::vector<std::string> notes; // what was ignored or replaced, a sentence each
+
+    size_t triangle_count() const {
+        size_t count = 0;
+        for (const Mesh& mesh : meshes) count += mesh.triangle_count();
+        return count;
+    }
+};
+
+} // namespace host

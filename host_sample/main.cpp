@@ -1,0 +1,116 @@
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "cameras.h"
+#include "error.h"
+#include "gltf/import.h"
+#include "headless.h"
+#include "options.h"
+#include "paths.h"
+#include "plugin.h"
+#include "session.h"
+#include "stats.h"
+#include "upload.h"
+#include "viewer.h"
+#include "window.h"
+
+namespace host {
+
+namespace {
+
+Level load_level(const Options& options) {
+    Level level = gltf::import_file(options.scene.empty() ? default_scene() : options.scene);
+    if (level.triangle_count() == 0)
+        throw InputError("the scene file " + level.name + " has no triangles to show");
+    if (level.lights.empty()) {
+        level.lights.push_back(default_light());
+        level.notes.push_back("the scene has no lights and gets a sun");
+    }
+    if (!options.quiet)
+        for (const std::string& note : level.notes) std::cerr << "note: " << note << "\n";
+    return level;
+}
+
+int list_cameras(const std::vector<Viewpoint>& cameras) {
+    for (size_t i = 0; i < cameras.size(); ++i) {
+        const Viewpoint& view = cameras[i];
+        std::printf("%zu %s at %.2f %.2f %.2f looking along %.2f %.2f %.2f\n", i,
+                    view.name.c_str(), view.position.x, view.position.y, view.position.z,
+                    static_cast<double>(view.forward.x), static_cast<double>(view.forward.y),
+                    static_cast<double>(view.forward.z));
+    }
+    return 0;
+}
+
+rt_commit_report build(Stage& stage, bool quiet) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    bool shown = false;
+    const rt_commit_report report = stage.commit([&](float fraction) {
+        if (quiet || Clock::now() - begin < std::chrono::milliseconds(500)) return;
+        std::fprintf(stderr, "\rbuilding %3d%%", static_cast<int>(100.0f * fraction));
+        shown = true;
+    });
+    if (shown) std::fprintf(stderr, "\rbuilding 100%%\n");
+    return report;
+}
+
+void show(Session& session) {
+    const Options& options = session.options;
+    if (options.headless) {
+        run_headless(session);
+        return;
+    }
+    std::string cause;
+    const auto window = Window::open(static_cast<int>(options.width),
+                                     static_cast<int>(options.height), cause);
+    if (window) {
+        run_viewer(session, *window);
+        return;
+    }
+    std::cerr << "no window: " << cause << "; rendering a fly-through instead\n";
+    run_flight(session, "out/frame_%04d.png");
+}
+
+int run(const Options& options) {
+    const Level level = load_level(options);
+    auto cameras = usable_cameras(level);
+    const size_t camera = find_camera(cameras, options.camera);
+    if (options.list_cameras) return list_cameras(cameras);
+
+    const Plugin plugin(options.library);
+    Stage stage(plugin.api(), options.threads, options.isa);
+    upload_level(stage, level, options.ambient);
+    const rt_commit_report report = build(stage, options.quiet);
+    Session session{options, level, std::move(cameras), camera, stage, report, {}, 0, 0};
+    show(session);
+    if (!options.stats.empty()) write_stats(options.stats, session);
+    return 0;
+}
+
+int fail(int status, const std::string& sentence) {
+    std::cerr << "peregrine_play: " << sentence << "\n";
+    return status;
+}
+
+} // namespace
+
+} // namespace host
+
+int main(int argc, char** argv) {
+    try {
+        const host::ParsedOptions parsed = host::parse_options(argc, argv);
+        if (parsed.options) return host::run(*parsed.options);
+        (parsed.exit_status == 0 ? std::cout : std::cerr) << parsed.text;
+        return parsed.exit_status;
+    } catch (const host::InputError& error) {
+        return host::fail(2, error.what());
+    } catch (const std::bad_alloc&) {
+        return host::fail(1, "there is not enough memory");
+    } catch (const std::exception& error) {
+        return host::fail(1, error.what());
+    }
+}

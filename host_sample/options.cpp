@@ -1,0 +1,156 @@
+#include "options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "error.h"
+
+#ifndef PEREGRINE_VERSION
+#define PEREGRINE_VERSION "0.1.0"
+#endif
+
+namespace host {
+
+namespace {
+
+const std::map<std::string, rt_view> views = {{"shaded", RT_VIEW_SHADED},
+                                              {"normals", RT_VIEW_NORMALS},
+                                              {"depth", RT_VIEW_DEPTH},
+                                              {"steps", RT_VIEW_STEPS}};
+const std::map<std::string, rt_isa> isas = {{"auto", RT_ISA_BEST},
+                                            {"scalar", RT_ISA_SCALAR},
+                                            {"sse4", RT_ISA_SSE4},
+                                            {"avx2", RT_ISA_AVX2},
+                                            {"avx512", RT_ISA_AVX512}};
+
+constexpr const char* keys_text = R"(
+In the window:
+  mouse            look around (click to capture it, Esc to release it)
+  W A S D          move; Shift runs
+  Space, Ctrl      up and down while flying
+  F                fly or walk
+  C, V             next camera, next view (shaded, normals, depth, steps)
+  P, F12           write a screenshot
+  Esc              release the mouse; pressed again, quit
+
+Without a display the fly-through of --headless is rendered instead.
+Exit status: 0 done, 1 the engine failed, 2 something that was given cannot be used.)";
+
+template <class T>
+const char* find_name(const std::map<std::string, T>& names, T value, const char* otherwise) {
+    for (const auto& [name, known] : names)
+        if (known == value) return name.c_str();
+    return otherwise;
+}
+
+template <class T>
+T find_value(const std::map<std::string, T>& names, const std::string& name,
+             const std::string& option) {
+    const auto it = names.find(name);
+    if (it != names.end()) return it->second;
+    std::string all;
+    for (const auto& entry : names) all += (all.empty() ? "" : ", ") + entry.first;
+    throw InputError(option + " does not know \"" + name + "\"; it takes one of " + all);
+}
+
+bool parse_side(const char* first, const char* last, uint32_t& side) {
+    const auto [end, error] = std::from_chars(first, last, side);
+    return error == std::errc() && end == last && side >= 1 && side <= 16384;
+}
+
+void parse_size(const std::string& text, Options& options) {
+    const char* first = text.data();
+    const char* last = first + text.size();
+    const char* cross = std::find(first, last, 'x');
+    if (cross == last || !parse_side(first, cross, options.width)
+        || !parse_side(cross + 1, last, options.height))
+        throw InputError("--size takes WIDTHxHEIGHT, each from 1 to 16384, not \"" + text + "\"");
+}
+
+// The texts of options that need more than CLI11's own parsing.
+struct Texts {
+    std::string size = "1280x720", view = "shaded", isa;
+    uint32_t frames = 0;
+};
+
+void declare(CLI::App& app, Options& options, Texts& texts) {
+    app.add_option("--scene", options.scene, "a .glb or .gltf file [content/hall.glb]");
+    app.add_option("--camera", options.camera, "name or index of a camera of the scene [0]");
+    app.add_option("--size", texts.size, "WIDTHxHEIGHT of the frame, in pixels [1280x720]");
+    app.add_option("--scale", options.scale, "frame size as a part of the window's [1]")
+        ->check(CLI::Range(0.25, 1.0));
+    app.add_option("--frames", texts.frames,
+                   "frames to render, then quit [window: until closed; --out: 1; else 24]")
+        ->check(CLI::Range(1u, 1000000u));
+    app.add_option("--out", options.out,
+                   "PNG file to write, with --headless; a %d or %04d in its name writes every "
+                   "frame: of --camera, or else of the fly-through");
+    app.add_flag("--headless", options.headless,
+                 "no window: write --out, or else a fly-through of all cameras to out/");
+    app.add_option("--threads", options.threads, "threads, 1 to 256 [all cores]")
+        ->check(CLI::Range(1u, 256u));
+    app.add_option("--view", texts.view, "shaded, normals, depth or steps [shaded]");
+    app.add_option("--stats", options.stats, "JSON file to write measurements to [none]");
+    app.add_option("--isa", texts.isa,
+                   "auto, scalar, sse4, avx2 or avx512 [$PEREGRINE_ISA, else auto]");
+    app.add_option("--exposure", options.exposure, "multiplies the light before tone mapping [1]")
+        ->check(CLI::Range(1e-6, 1e6));
+    app.add_option("--ambient", options.ambient, "light from everywhere [0.12]")
+        ->check(CLI::Range(0.0, 1e6));
+    app.add_flag("--no-shadows", options.no_shadows, "lights shine through everything");
+    app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
+    app.add_option("--library", options.library,
+                   "the engine [$PEREGRINE_LIBRARY, else libperegrine.so beside this program]");
+    app.add_flag("--quiet", options.quiet, "say nothing but errors");
+    app.set_version_flag("--version", std::string("peregrine_play ") + PEREGRINE_VERSION);
+    app.footer(keys_text);
+}
+
+void interpret(const CLI::App& app, const Texts& texts, Options& options) {
+    parse_size(texts.size, options);
+    if (!std::isfinite(options.scale + options.exposure + options.ambient))
+        throw InputError("--scale, --exposure and --ambient take finite numbers");
+    options.view = find_value(views, texts.view, "--view");
+    if (app.count("--frames") > 0) options.frames = texts.frames;
+    const char* variable = std::getenv("PEREGRINE_ISA");
+    if (!texts.isa.empty())
+        options.isa = find_value(isas, texts.isa, "--isa");
+    else if (variable && *variable)
+        options.isa = find_value(isas, variable, "PEREGRINE_ISA");
+    if (!options.out.empty() && !options.headless)
+        throw InputError("--out needs --headless; in a window, P writes a screenshot");
+}
+
+} // namespace
+
+ParsedOptions parse_options(int argc, const char* const* argv) {
+    CLI::App app("Shows a scene with the Peregrine ray tracer.", "peregrine_play");
+    Options options;
+    options.threads = std::clamp(std::thread::hardware_concurrency(), 1u, 256u);
+    Texts texts;
+    declare(app, options, texts);
+    try {
+        app.parse(argc, argv);
+        interpret(app, texts, options);
+    } catch (const CLI::CallForHelp&) {
+        return {std::nullopt, app.help(), 0};
+    } catch (const CLI::CallForVersion&) {
+        return {std::nullopt, app.version() + "\n", 0};
+    } catch (const std::exception& error) { // CLI::ParseError or InputError
+        return {std::nullopt,
+                std::string("peregrine_play: ") + error.what() + " (--help lists the options).\n", 2};
+    }
+    return {options, "", 0};
+}
+
+const char* isa_name(rt_isa isa) { return find_name(isas, isa, "unknown"); }
+
+const char* view_name(rt_view view) { return find_name(views, view, "unknown"); }
+
+} // namespace host

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <peregrine/rt.h>
+
+namespace host {
+
+struct Options {
+    std::string scene;  // empty: the default one
+    std::string camera; // a name or an index; empty: the first
+    uint32_t width = 1280, height = 720;
+    std::optional<uint32_t> frames;
+    std::string out;
+    bool headless = false;
+    uint32_t threads = 1;
+    rt_view view = RT_VIEW_SHADED;
+    std::string stats;
+    rt_isa isa = RT_ISA_BEST;
+    float exposure = 1.0f;
+    float ambient = 0.12f;
+    float scale = 1.0f;
+    bool no_shadows = false;
+    bool list_cameras = false;
+    std::string library; // empty: see plugin.h
+    bool quiet = false;
+};
+
+// Either options, or a text to print and the status to exit with: 0 for --help and --version, 2
+// for a mistake.
+struct ParsedOptions {
+    std::optional<Options> options;
+    std::string text;
+    int exit_status = 0;
+};
+
+ParsedOptions parse_options(int argc, const char* const* argv);
+
+const char* isa_name(rt_isa isa);
+const char* view_name(rt_view view);
+
+} // namespace host

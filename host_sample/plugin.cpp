@@ -1,0 +1,75 @@
+#include "plugin.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <dlfcn.h>
+
+#include "error.h"
+#include "paths.h"
+
+namespace host {
+
+namespace {
+
+constexpr const char* soname = "libperegrine.so.0";
+
+std::string choose_library(const std::string& wanted) {
+    if (!wanted.empty()) return wanted;
+    if (const char* variable = std::getenv("PEREGRINE_LIBRARY"); variable && *variable)
+        return variable;
+    const std::filesystem::path here = executable_folder();
+    for (const char* folder : {".", "../lib", ".."})
+        for (const char* name : {"libperegrine.so", soname}) {
+            const auto candidate = (here / folder / name).lexically_normal();
+            std::error_code error;
+            if (std::filesystem::exists(candidate, error)) return candidate.string();
+        }
+    return soname;
+}
+
+} // namespace
+
+Plugin::Plugin(const std::string& library) : m_path(choose_library(library)) {
+    open();
+    try {
+        find_api();
+    } catch (...) {
+        dlclose(m_library);
+        throw;
+    }
+}
+
+Plugin::~Plugin() { dlclose(m_library); }
+
+void Plugin::open() {
+    // Without a slash dlopen would search the system's folders instead of the current one.
+    std::string name = m_path;
+    if (name != soname && name.find('/') == std::string::npos) name = "./" + name;
+    if (name != soname) {
+        std::error_code error;
+        if (!std::filesystem::exists(name, error))
+            throw InputError("the engine library " + m_path + " does not exist");
+    }
+    m_library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (m_library) return;
+    const char* cause = dlerror();
+    throw InputError("the engine library " + m_path
+                     + " cannot be loaded: " + (cause ? cause : "no cause is known")
+                     + ". --library FILE or PEREGRINE_LIBRARY says where it is");
+}
+
+void Plugin::find_api() {
+    const auto get_api = reinterpret_cast<rt_get_api_function>(dlsym(m_library, "rt_get_api"));
+    if (!get_api)
+        throw InputError(m_path + " is no Peregrine library: it does not export rt_get_api");
+    m_api = get_api(RT_API_VERSION);
+    if (!m_api)
+        throw InputError("the library " + m_path + " does not speak version "
+                         + std::to_string(RT_API_VERSION) + " of the interface");
+    if (m_api->struct_size < sizeof(rt_api))
+        throw InputError("the library " + m_path + " (" + m_api->get_version_string()
+                         + ") is older than this program and lacks functions that it needs");
+}
+
+} // namespace host

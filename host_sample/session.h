@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frame_log.h"
+#include "level.h"
+#include "options.h"
+#include "stage.h"
+
+namespace host {
+
+// Everything that showing a scene needs, in a window or without one.
+struct Session {
+    const Options& options;
+    const Level& level;
+    std::vector<Viewpoint> cameras; // never empty
+    size_t camera = 0;              // the chosen one
+    Stage& stage;
+    rt_commit_report report;
+    FrameLog log;
+    uint32_t width = 0, height = 0; // of the last frame
+
+    // A frame as the options ask for it, 8 bits a channel.
+    Frame frame(uint32_t frame_width, uint32_t frame_height) const {
+        Frame frame;
+        frame.width = frame_width;
+        frame.height = frame_height;
+        frame.view = options.view;
+        frame.exposure = options.exposure;
+        frame.no_shadows = options.no_shadows;
+        const double diagonal = level.bounds.diagonal();
+        if (diagonal > 0.0) frame.depth_range = static_cast<float>(diagonal);
+        return frame;
+    }
+};
+
+} // namespace host

@@ -1,0 +1,67 @@
+#include "stage.h"
+
+#include <string>
+
+#include "error.h"
+
+namespace host {
+
+Stage::Stage(const rt_api& api, uint32_t threads, rt_isa isa) : m_api(api) {
+    rt_scene_desc desc = rt_default_scene_desc();
+    desc.worker_count = threads;
+    desc.isa = isa;
+    check(m_api.create_scene(&desc, &m_scene), "creating the scene");
+}
+
+Stage::~Stage() { m_api.destroy_scene(m_scene); }
+
+void Stage::check(rt_result result, const char* what) const {
+    if (result == RT_OK) return;
+    throw EngineError(std::string(what) + " failed with " + m_api.get_result_name(result) + ": "
+                      + m_api.get_last_error());
+}
+
+rt_commit_report Stage::commit(const std::function<void(float)>& progress) {
+    rt_commit_desc desc = rt_default_commit_desc();
+    if (progress) {
+        desc.progress = [](void* user, float fraction) -> int32_t {
+            (*static_cast<const std::function<void(float)>*>(user))(fraction);
+            return 0;
+        };
+        desc.progress_user = const_cast<std::function<void(float)>*>(&progress);
+    }
+    rt_commit_report report = rt_default_commit_report();
+    check(m_api.commit_scene(m_scene, &desc, &report), "building the scene");
+    return report;
+}
+
+rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, void* pixels) const {
+    rt_camera camera = rt_default_camera();
+    camera.vertical_fov = viewpoint.vertical_fov;
+    for (int i = 0; i < 3; ++i) {
+        camera.position[i] = viewpoint.position[i];
+        camera.forward[i] = viewpoint.forward[i];
+        camera.up[i] = viewpoint.up[i];
+    }
+    rt_frame_desc desc = rt_default_frame_desc();
+    desc.format = frame.format;
+    desc.pixels = pixels;
+    desc.width = frame.width;
+    desc.height = frame.height;
+    desc.view = frame.view;
+    desc.tone_mapping = frame.tone_mapping;
+    desc.exposure = frame.exposure;
+    desc.depth_range = frame.depth_range;
+    desc.no_shadows = frame.no_shadows ? 1 : 0;
+    rt_frame_stats stats = rt_default_frame_stats();
+    check(m_api.render_frame(m_scene, &camera, &desc, &stats), "rendering a frame");
+    return stats;
+}
+
+rt_scene_stats Stage::stats() const {
+    rt_scene_stats stats = rt_default_scene_stats();
+    check(m_api.get_scene_stats(m_scene, &stats), "reading the scene's statistics");
+    return stats;
+}
+
+} // namespace host

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+
+#include <peregrine/rt.h>
+
+#include "level.h"
+
+namespace host {
+
+struct Frame {
+    uint32_t width = 0, height = 0;
+    rt_pixel_format format = RT_FORMAT_RGBA8_SRGB;
+    rt_tone_mapping tone_mapping = RT_TONE_FILMIC;
+    rt_view view = RT_VIEW_SHADED;
+    float exposure = 1.0f;
+    float depth_range = 50.0f;
+    bool no_shadows = false;
+};
+
+// A scene of the engine. Throws EngineError with the engine's own sentence.
+class Stage {
+  public:
+    Stage(const rt_api& api, uint32_t threads, rt_isa isa);
+    ~Stage();
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    const rt_api& api() const { return m_api; }
+    rt_scene scene() const { return m_scene; }
+
+    void check(rt_result result, const char* what) const;
+
+    // Returns the engine's report. `progress` gets the fraction done and may be null.
+    rt_commit_report commit(const std::function<void(float)>& progress);
+
+    // `pixels` holds height rows of width pixels of the format, without gaps.
+    rt_frame_stats render(const Viewpoint& viewpoint, const Frame& frame, void* pixels) const;
+
+    rt_scene_stats stats() const;
+
+  private:
+    const rt_api& m_api;
+    rt_scene m_scene{};
+};
+
+} // namespace host

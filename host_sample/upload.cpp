@@ -1,0 +1,142 @@
+#include "upload.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace host {
+
+namespace {
+
+// Calls of the engine want arrays of components; GLM's vectors are exactly that.
+template <class T> rt_array to_array(const std::vector<T>& values) {
+    return {values.empty() ? nullptr : values.data(), values.size(), 0, 0};
+}
+
+template <class Vector> void copy3(const Vector& from, auto* to) {
+    for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
+rt_wrap to_wrap(Wrap wrap) {
+    if (wrap == Wrap::mirror) return RT_WRAP_MIRROR;
+    return wrap == Wrap::clamp ? RT_WRAP_CLAMP : RT_WRAP_REPEAT;
+}
+
+class Uploader {
+  public:
+    Uploader(Stage& stage, const Level& level) : m_stage(stage), m_level(level) {}
+
+    void run(float ambient) {
+        for (const Texture& texture : m_level.textures) add_texture(texture);
+        for (const Material& material : m_level.materials) add_material(material);
+        for (const Mesh& mesh : m_level.meshes) add_mesh(mesh);
+        for (const Light& light : m_level.lights) add_light(light);
+        set_environment(ambient);
+    }
+
+  private:
+    void add_texture(const Texture& texture) {
+        const Image& image = m_level.images[texture.image];
+        rt_texture_desc desc = rt_default_texture_desc();
+        desc.format = texture.srgb ? RT_FORMAT_RGBA8_SRGB : RT_FORMAT_RGBA8_LINEAR;
+        desc.pixels = image.rgba.data();
+        desc.width = image.width;
+        desc.height = image.height;
+        desc.wrap_u = to_wrap(texture.wrap_u);
+        desc.wrap_v = to_wrap(texture.wrap_v);
+        desc.filter = texture.nearest ? RT_FILTER_NEAREST : RT_FILTER_BILINEAR;
+        rt_texture handle{};
+        m_stage.check(m_stage.api().add_texture(m_stage.scene(), &desc, &handle),
+                      "adding a texture");
+        m_textures.push_back(handle);
+    }
+
+    rt_texture_use to_use(const TextureUse& use) const {
+        rt_texture_use result = rt_default_texture_use();
+        if (use.texture == no_index) return result;
+        result.texture = m_textures[use.texture];
+        std::copy(use.transform, use.transform + 6, result.transform);
+        result.texcoord_set = use.texcoord_set;
+        return result;
+    }
+
+    void add_material(const Material& material) {
+        rt_material_desc desc = rt_default_material_desc();
+        desc.alpha_mode = material.masked ? RT_ALPHA_MASK : RT_ALPHA_OPAQUE;
+        desc.alpha_cutoff = material.alpha_cutoff;
+        copy3(material.base_color, desc.base_color);
+        desc.base_color[3] = material.base_color.a;
+        copy3(material.emissive, desc.emissive);
+        copy3(material.specular, desc.specular);
+        desc.shininess = material.shininess;
+        desc.normal_scale = material.normal_scale;
+        desc.double_sided = material.double_sided ? 1 : 0;
+        desc.base_color_texture = to_use(material.base_color_texture);
+        desc.normal_texture = to_use(material.normal_texture);
+        desc.emissive_texture = to_use(material.emissive_texture);
+        desc.user_data = m_materials.size();
+        rt_material handle{};
+        m_stage.check(m_stage.api().add_material(m_stage.scene(), &desc, &handle),
+                      "adding a material");
+        m_materials.push_back(handle);
+    }
+
+    void add_mesh(const Mesh& mesh) {
+        std::vector<rt_material> materials;
+        materials.reserve(mesh.materials.size());
+        for (const uint32_t material : mesh.materials)
+            materials.push_back(material == no_index ? rt_material{} : m_materials[material]);
+        rt_mesh_desc desc = rt_default_mesh_desc();
+        desc.positions = to_array(mesh.positions);
+        desc.normals = to_array(mesh.normals);
+        desc.tangents = to_array(mesh.tangents);
+        desc.texcoords = to_array(mesh.texcoords);
+        desc.texcoords1 = to_array(mesh.texcoords1);
+        desc.indices = to_array(mesh.indices);
+        desc.materials = to_array(materials);
+        rt_mesh handle{};
+        m_stage.check(m_stage.api().add_static_mesh(m_stage.scene(), &desc, &handle),
+                      "adding a mesh");
+    }
+
+    void add_light(const Light& light) {
+        rt_light_desc desc = rt_default_light_desc();
+        desc.type = light.type == LightType::point  ? RT_LIGHT_POINT
+                  : light.type == LightType::spot ? RT_LIGHT_SPOT
+                                                  : RT_LIGHT_DIRECTIONAL;
+        copy3(light.position, desc.position);
+        copy3(light.direction, desc.direction);
+        copy3(light.intensity, desc.intensity);
+        desc.radius = light.radius;
+        desc.cone_inner_cos = light.cone_inner_cos;
+        desc.cone_outer_cos = light.cone_outer_cos;
+        rt_light handle{};
+        m_stage.check(m_stage.api().add_light(m_stage.scene(), &desc, &handle), "adding a light");
+    }
+
+    // By day the sky is bright; without a sun it is night.
+    void set_environment(float ambient) {
+        const bool day = std::any_of(
+            m_level.lights.begin(), m_level.lights.end(),
+            [](const Light& light) { return light.type == LightType::directional; });
+        rt_environment environment = rt_default_environment();
+        copy3(glm::vec3(ambient), environment.ambient);
+        copy3(day ? glm::vec3(0.30f, 0.40f, 0.55f) : glm::vec3(0.030f, 0.038f, 0.050f),
+              environment.background);
+        m_stage.check(m_stage.api().set_environment(m_stage.scene(), &environment),
+                      "setting the environment");
+    }
+
+    Stage& m_stage;
+    const Level& m_level;
+    std::vector<rt_texture> m_textures;
+    std::vector<rt_material> m_materials;
+};
+
+} // namespace
+
+void upload_level(Stage& stage, const Level& level, float ambient) {
+    static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16);
+    Uploader(stage, level).run(ambient);
+}
+
+} // namespace host

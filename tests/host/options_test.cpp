@@ -1,0 +1,89 @@
+#include <cstdlib>
+#include <initializer_list>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "options.h"
+
+namespace host::test {
+namespace {
+
+ParsedOptions parse(std::initializer_list<const char*> arguments) {
+    std::vector<const char*> argv = {"peregrine_play"};
+    argv.insert(argv.end(), arguments);
+    return parse_options(static_cast<int>(argv.size()), argv.data());
+}
+
+class OptionsTest : public testing::Test {
+  protected:
+    void SetUp() override { unsetenv("PEREGRINE_ISA"); }
+};
+
+TEST_F(OptionsTest, Defaults) {
+    const auto parsed = parse({});
+    ASSERT_TRUE(parsed.options);
+    EXPECT_EQ(parsed.options->width, 1280u);
+    EXPECT_EQ(parsed.options->height, 720u);
+    EXPECT_GE(parsed.options->threads, 1u);
+    EXPECT_FALSE(parsed.options->frames);
+    EXPECT_EQ(parsed.options->isa, RT_ISA_BEST);
+}
+
+TEST_F(OptionsTest, ReadsValues) {
+    const auto parsed = parse({"--size", "64x32", "--frames", "3", "--view", "depth", "--headless",
+                               "--out", "a.png", "--isa", "avx2", "--exposure", "2.5"});
+    ASSERT_TRUE(parsed.options) << parsed.text;
+    EXPECT_EQ(parsed.options->width, 64u);
+    EXPECT_EQ(parsed.options->height, 32u);
+    EXPECT_EQ(parsed.options->frames, 3u);
+    EXPECT_EQ(parsed.options->view, RT_VIEW_DEPTH);
+    EXPECT_EQ(parsed.options->isa, RT_ISA_AVX2);
+    EXPECT_EQ(parsed.options->exposure, 2.5f);
+}
+
+TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
+    for (const auto& arguments : std::initializer_list<std::initializer_list<const char*>>{
+             {"--size", "64"},
+             {"--size", "0x64"},
+             {"--size", "-1x64"},
+             {"--size", "64x99999"},
+             {"--size", "64x64x"},
+             {"--frames", "0"},
+             {"--frames", "many"},
+             {"--view", "x-ray"},
+             {"--isa", "mmx"},
+             {"--threads", "0"},
+             {"--threads", "1000"},
+             {"--exposure", "0"},
+             {"--exposure", "nan"},
+             {"--ambient", "-1"},
+             {"--scale", "2"},
+             {"--out", "a.png"},
+             {"--scene"},
+             {"--what"},
+             {"stray"}}) {
+        const auto parsed = parse(arguments);
+        EXPECT_FALSE(parsed.options) << *arguments.begin();
+        EXPECT_EQ(parsed.exit_status, 2);
+        EXPECT_FALSE(parsed.text.empty());
+    }
+}
+
+TEST_F(OptionsTest, HelpAndVersionAreNoMistakes) {
+    EXPECT_EQ(parse({"--help"}).exit_status, 0);
+    EXPECT_NE(parse({"--help"}).text.find("--scene"), std::string::npos);
+    EXPECT_EQ(parse({"--version"}).exit_status, 0);
+}
+
+TEST_F(OptionsTest, TheOptionWinsOverTheEnvironment) {
+    setenv("PEREGRINE_ISA", "sse4", 1);
+    EXPECT_EQ(parse({}).options->isa, RT_ISA_SSE4);
+    EXPECT_EQ(parse({"--isa", "scalar"}).options->isa, RT_ISA_SCALAR);
+    setenv("PEREGRINE_ISA", "mmx", 1);
+    EXPECT_EQ(parse({}).exit_status, 2);
+    unsetenv("PEREGRINE_ISA");
+}
+
+} // namespace
+} // namespace host::test

@@ -1,0 +1,308 @@
+// Promise 1: every kernel gives the bits of brute force.
+#include "support/brute_force.h"
+#include "support/world.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <bit>
+#include <thread>
+
+namespace peregrine::test {
+namespace {
+
+using math::Ray;
+using math::Vec3;
+
+struct Named {
+    base::Isa isa;
+    const char* name;
+};
+constexpr Named kIsas[] = {{base::Isa::scalar, "scalar"},
+                           {base::Isa::sse4, "sse4"},
+                           {base::Isa::avx2, "avx2"},
+                           {base::Isa::avx512, "avx512"},
+                           {base::Isa::neon, "neon"}};
+
+struct Answers {
+    explicit Answers(size_t count) : hits(count), occluded(count) {}
+    std::vector<trace::Hit> hits;
+    std::vector<uint8_t> occluded;
+};
+
+bool same_bits(float a, float b) {
+    return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
+}
+
+bool same(const trace::Hit& a, const trace::Hit& b) {
+    if (a.triangle != b.triangle || !same_bits(a.t, b.t)) return false;
+    return a.triangle == geometry::kNoTriangle
+           || (same_bits(a.u, b.u) && same_bits(a.v, b.v) && a.back_face == b.back_face);
+}
+
+Answers ask_brute_force(const BruteForce& oracle, const std::vector<Ray>& rays,
+                        const trace::Filter& filter) {
+    Answers answers(rays.size());
+    std::atomic<size_t> next{0};
+    const auto work = [&] {
+        for (size_t i; (i = next.fetch_add(1)) < rays.size();) {
+            answers.hits[i] = oracle.closest(rays[i], filter);
+            answers.occluded[i] = oracle.occluded(rays[i], filter);
+        }
+    };
+    std::vector<std::jthread> threads;
+    for (unsigned t = 1; t < std::thread::hardware_concurrency(); ++t) threads.emplace_back(work);
+    work();
+    threads.clear();
+    return answers;
+}
+
+Answers ask_singles(const World& world, const std::vector<Ray>& rays, const trace::Filter& filter) {
+    Answers answers(rays.size());
+    const trace::Kernels& kernels = *trace::select_kernels(base::Isa::scalar);
+    for (size_t i = 0; i < rays.size(); ++i) {
+        answers.hits[i] = kernels.closest(world.target(), rays[i], filter);
+        answers.occluded[i] = kernels.occluded(world.target(), rays[i], filter);
+    }
+    return answers;
+}
+
+// Rays and hits as separate arrays.
+struct Streams {
+    struct alignas(64) Line {
+        float values[16];
+    };
+    explicit Streams(size_t count) : count(count) {
+        for (auto& column : columns) column.resize((count + 15) / 16);
+    }
+    float* column(int i) { return columns[i].data()->values; }
+    uint32_t* integers(int i) { return reinterpret_cast<uint32_t*>(column(i)); }
+    size_t count;
+    std::vector<Line> columns[14];
+};
+
+Answers ask_streams(const World& world, const std::vector<Ray>& rays, const trace::Filter& filter,
+                    const trace::Kernels& kernels) {
+    Answers answers(rays.size());
+    Streams s(rays.size());
+    for (size_t i = 0; i < rays.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            s.column(k)[i] = rays[i].origin[k];
+            s.column(3 + k)[i] = rays[i].direction[k];
+        }
+        s.column(6)[i] = rays[i].t_min;
+        s.column(7)[i] = rays[i].t_max;
+    }
+    const trace::RayStream stream{{s.column(0), s.column(1), s.column(2)},
+                                  {s.column(3), s.column(4), s.column(5)},
+                                  s.column(6),
+                                  s.column(7),
+                                  uint32_t(rays.size())};
+    kernels.closest_stream(
+        world.target(), stream, filter,
+        {s.column(8), s.column(9), s.column(10), s.integers(11), s.integers(12), s.integers(13)});
+    kernels.occluded_stream(world.target(), stream, filter, answers.occluded.data());
+    for (size_t i = 0; i < rays.size(); ++i)
+        answers.hits[i] = {s.column(8)[i],    s.column(9)[i],         s.column(10)[i],
+                           s.integers(11)[i], s.integers(12)[i] != 0, s.integers(13)[i]};
+    return answers;
+}
+
+void expect_same(const Answers& expected, const Answers& got, const std::vector<Ray>& rays,
+                 const std::string& what) {
+    size_t wrong = 0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        if (same(expected.hits[i], got.hits[i]) && expected.occluded[i] == got.occluded[i])
+            continue;
+        if (++wrong > 1) continue;
+        const auto& ray = rays[i];
+        ADD_FAILURE() << what << ", ray " << i << ": t " << got.hits[i].t << " triangle "
+                      << got.hits[i].triangle << " occluded " << int(got.occluded[i])
+                      << ", brute force: t " << expected.hits[i].t << " triangle "
+                      << expected.hits[i].triangle << " occluded " << int(expected.occluded[i])
+                      << std::hexfloat << "\n  origin " << ray.origin.x << ' ' << ray.origin.y
+                      << ' ' << ray.origin.z << " direction " << ray.direction.x << ' '
+                      << ray.direction.y << ' ' << ray.direction.z << " t " << ray.t_min << " to "
+                      << ray.t_max;
+    }
+    EXPECT_EQ(wrong, 0u) << what << ": of " << rays.size() << " rays";
+}
+
+void compare_all(const World& world, const std::vector<RaySet>& sets,
+                 const trace::Filter& filter = {}) {
+    const BruteForce oracle(world.triangles);
+    for (const RaySet& set : sets) {
+        const Answers expected = ask_brute_force(oracle, set.rays, filter);
+        expect_same(expected, ask_singles(world, set.rays, filter), set.rays,
+                    set.name + ", single");
+        for (const Named& isa : kIsas)
+            if (const trace::Kernels* kernels = trace::select_kernels(isa.isa))
+                expect_same(expected, ask_streams(world, set.rays, filter, *kernels), set.rays,
+                            set.name + ", stream " + isa.name);
+    }
+}
+
+// ---------------------------------------------------------------------------- files of others
+
+class SceneTest : public testing::TestWithParam<std::string> {};
+
+TEST_P(SceneTest, EqualsBruteForce) {
+    const SceneFile scene = load_scene(GetParam());
+    ASSERT_FALSE(scene.triangles.empty());
+    const World world(scene.triangles);
+    compare_all(world,
+                make_ray_sets(world.triangles, scene.eyes, scene.lights, rays_per_set(500), 7));
+}
+
+std::vector<std::string> files() {
+    std::vector<std::string> names = scene_names();
+    names.push_back("hall");
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, SceneTest, testing::ValuesIn(files()),
+                         [](const auto& info) { return info.param; });
+
+TEST(SceneFiles, AreThere) {
+    if (scene_names().empty())
+        GTEST_SKIP() << "no scenes of others: set PEREGRINE_SCENES to a folder of .glb files";
+}
+
+// --------------------------------------------------------------------------------- adversaries
+
+std::vector<geometry::Triangle> soup(uint32_t seed, size_t count, float size, float scale) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    const auto point = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+    TriangleList list;
+    for (size_t i = 0; i < count; ++i) {
+        const Vec3 center = point();
+        list.add(scale * (center + size * point()), scale * (center + size * point()),
+                 scale * (center + size * point()));
+    }
+    return list.triangles;
+}
+
+void expect_exact(std::vector<geometry::Triangle> triangles, size_t rays = 2000) {
+    const World world(std::move(triangles));
+    compare_all(world, make_ray_sets(world.triangles, {}, {}, rays_per_set(rays), 11));
+}
+
+TEST(Adversary, Soup) {
+    expect_exact(soup(1, 3000, 0.1f, 1));
+}
+TEST(Adversary, LargeTriangles) {
+    expect_exact(soup(2, 300, 2, 1));
+}
+TEST(Adversary, OneTriangle) {
+    expect_exact(soup(3, 1, 1, 1));
+}
+TEST(Adversary, TwoTriangles) {
+    expect_exact(soup(4, 2, 1, 1));
+}
+
+TEST(Adversary, Scales) {
+    for (const float scale : {1e-38f, 1e-30f, 1e-20f, 1e-6f, 1e6f, 1e15f, 1e20f, 4e29f})
+        expect_exact(soup(5, 200, 0.3f, scale), 500);
+}
+
+TEST(Adversary, MixedScales) {
+    std::vector<geometry::Triangle> triangles = soup(6, 300, 0.3f, 1e6f);
+    for (geometry::Triangle triangle : soup(7, 300, 0.3f, 1e-6f)) {
+        triangle.mesh = 1;
+        triangles.push_back(triangle);
+    }
+    expect_exact(triangles);
+}
+
+//   +--+--+--+   Every vertex, edge and face lies on a lattice, so splits fall on faces, rays run
+//   |\ |\ |\ |   inside planes, and hits tie on shared edges.
+//   | \| \| \|
+//   +--+--+--+
+TEST(Adversary, Lattice) {
+    TriangleList list;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int layer = 0; layer < 4; ++layer)
+            for (int i = 0; i < 4; ++i)
+                for (int j = 0; j < 4; ++j) {
+                    const auto at = [&](int a, int b) {
+                        Vec3 p;
+                        p[axis] = float(layer);
+                        p[(axis + 1) % 3] = float(a);
+                        p[(axis + 2) % 3] = float(b);
+                        return p;
+                    };
+                    list.add(at(i, j), at(i + 1, j), at(i, j + 1));
+                    list.add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+                }
+    expect_exact(list.triangles, 4000);
+}
+
+TEST(Adversary, CoincidentTriangles) {
+    TriangleList list;
+    for (int i = 0; i < 500; ++i) list.add({0, 0, 0}, {1, 0, float(i % 3)}, {0, 1, float(i % 5)});
+    expect_exact(list.triangles, 500);
+}
+
+// Needles: 1e7 times as long as wide, through each other at one place.
+TEST(Adversary, Needles) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    TriangleList list;
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 d(unit(random), unit(random), unit(random));
+        list.add(-1000.0f * d, 1000.0f * d,
+                 1000.0f * d + 1e-4f * Vec3(unit(random), unit(random), unit(random)));
+    }
+    expect_exact(list.triangles);
+}
+
+// Sizes in a geometric series towards one corner, which asks for a deep tree.
+TEST(Adversary, GeometricSeries) {
+    TriangleList list;
+    for (float size = 1; size > 1e-30f; size *= 0.7f)
+        list.add({size, 0, 0}, {0, size, 0}, {size, size, size});
+    expect_exact(list.triangles);
+}
+
+// The tessellated diagonal wall whose fans grow ever more slender.
+TEST(Adversary, Fan) {
+    TriangleList list;
+    for (int i = 0; i < 1000; ++i) {
+        const float a = float(i) * 1e-3f, b = float(i + 1) * 1e-3f;
+        list.add({0, 0, 0}, {1, a * a, a}, {1, b * b, b});
+    }
+    expect_exact(list.triangles);
+}
+
+// -------------------------------------------------------------------------------------- filters
+
+TEST(Filters, EqualBruteForce) {
+    std::vector<geometry::Triangle> triangles = soup(9, 2000, 0.2f, 1);
+    for (size_t i = 0; i < triangles.size(); ++i) {
+        triangles[i].mesh = uint32_t(i % 4);
+        triangles[i].flags = (i % 3 == 0 ? uint32_t(geometry::kSingleSided) : 0)
+                             | (i % 5 == 0 ? uint32_t(geometry::kMasked) : 0);
+    }
+    const World world(std::move(triangles));
+    const std::vector<RaySet> sets = make_ray_sets(world.triangles, {}, {}, 1000, 3);
+    const uint32_t layers[] = {1, 2, 4, 3};
+    trace::Filter filter;
+    filter.layer_masks = layers;
+    filter.faces = trace::Faces::front;
+    compare_all(world, sets, filter);
+    filter.faces = trace::Faces::back;
+    filter.ignore_mesh = 2;
+    compare_all(world, sets, filter);
+    filter.faces = trace::Faces::both;
+    filter.cull_single_sided = true;
+    filter.layer_mask = 5;
+    compare_all(world, sets, filter);
+    filter.alpha.present = [](const void*, const geometry::Triangle&, float u, float v) {
+        return u > v;
+    };
+    compare_all(world, sets, filter);
+}
+
+} // namespace
+} // namespace peregrine::test

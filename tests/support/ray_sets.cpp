@@ -1,0 +1,165 @@
+#include "support/ray_sets.h"
+
+#include <cmath>
+#include <limits>
+
+namespace peregrine::test {
+namespace {
+
+using math::Ray;
+using math::Vec3;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+class Generator {
+public:
+    Generator(std::span<const geometry::Triangle> triangles, std::span<const Eye> eyes,
+              std::span<const Vec3> lights, uint32_t seed)
+        : triangles_(triangles), eyes_(eyes), lights_(lights), random_(seed) {
+        for (const auto& triangle : triangles) bounds_.extend(geometry::bounds(triangle));
+    }
+
+    Ray camera() {
+        const Eye eye = eyes_.empty() ? Eye{inside(), direction()} : eyes_[pick(eyes_.size())];
+        return {eye.position, 0, glm::normalize(eye.forward) + 0.7f * direction(), kInfinity};
+    }
+
+    Ray shadow() {
+        const Vec3 from = on_triangle();
+        const Vec3 to = lights_.empty() ? inside() : lights_[pick(lights_.size())];
+        return {from, 1e-4f, to - from, 0.9999f};
+    }
+
+    Ray random() { return {inside(), 0, direction(), kInfinity}; }
+
+    // From a vertex's own coordinates half of the time: then the ray runs in the planes of faces
+    // and of splits.
+    Ray axis_parallel() {
+        Vec3 origin = inside();
+        const Vec3 corner = vertex();
+        for (int k = 0; k < 3; ++k)
+            if (coin()) origin[k] = corner[k];
+        Vec3 d(0.0f);
+        d[int(pick(3))] = coin() ? 1.0f : -1.0f;
+        if (pick(4) == 0) d[int(pick(3))] = coin() ? 0.5f : -2.0f;
+        if (pick(4) == 0)
+            for (int k = 0; k < 3; ++k)
+                if (d[k] == 0) d[k] = -0.0f;
+        return {origin, coin() ? 0.0f : -kInfinity, d, kInfinity};
+    }
+
+    Ray through_vertex() {
+        const Vec3 origin = inside();
+        return aimed(origin, vertex());
+    }
+
+    Ray along_edge() {
+        const geometry::Triangle& triangle = triangles_[pick(triangles_.size())];
+        const Vec3 corners[3] = {triangle.v0, triangle.v1, triangle.v2};
+        const size_t i = pick(3);
+        const Vec3 a = corners[i], b = corners[(i + 1) % 3];
+        return {a - uniform() * (b - a), 0, b - a, kInfinity};
+    }
+
+    Ray through_edge() {
+        const geometry::Triangle& triangle = triangles_[pick(triangles_.size())];
+        const Vec3 origin = inside();
+        return aimed(origin, 0.5f * (triangle.v0 + triangle.v1));
+    }
+
+    // Lengths and distances far from 1, segments, and origins far outside.
+    Ray extreme() {
+        Ray ray = random();
+        const float scale = std::exp2(float(int(pick(240))) - 120.0f);
+        switch (pick(4)) {
+        case 0:
+            ray.direction *= scale;
+            break;
+        case 1: {
+            const float far = std::exp2(float(int(pick(24))));
+            const Vec3 target = on_triangle();
+            ray.origin = target + far * direction() * glm::length(bounds_.upper - bounds_.lower);
+            ray.direction = target - ray.origin;
+            break;
+        }
+        case 2:
+            ray.direction[int(pick(3))] *= scale;
+            break;
+        default: {
+            ray.t_max = uniform() * glm::length(bounds_.upper - bounds_.lower);
+            ray.t_min = ray.t_max * (uniform() - 0.3f);
+        }
+        }
+        if (ray.direction == Vec3(0)) ray.direction.x = 1;
+        return ray;
+    }
+
+private:
+    static Ray aimed(const Vec3& origin, const Vec3& target) {
+        Ray ray{origin, 0, target - origin, kInfinity};
+        if (ray.direction == Vec3(0)) ray.direction.y = 1;
+        return ray;
+    }
+
+    float uniform() { return std::uniform_real_distribution<float>(0, 1)(random_); }
+    bool coin() { return random_() & 1; }
+    size_t pick(size_t count) { return random_() % count; }
+    Vec3 inside() {
+        return bounds_.lower
+               + Vec3(uniform(), uniform(), uniform()) * (bounds_.upper - bounds_.lower);
+    }
+    Vec3 direction() {
+        for (;;) {
+            const Vec3 d(2 * uniform() - 1, 2 * uniform() - 1, 2 * uniform() - 1);
+            const float length = glm::dot(d, d);
+            if (length > 0.01f && length <= 1) return d / std::sqrt(length);
+        }
+    }
+    Vec3 vertex() {
+        const geometry::Triangle& triangle = triangles_[pick(triangles_.size())];
+        const size_t i = pick(3);
+        return i == 0 ? triangle.v0 : i == 1 ? triangle.v1 : triangle.v2;
+    }
+    Vec3 on_triangle() {
+        const geometry::Triangle& triangle = triangles_[pick(triangles_.size())];
+        float u = uniform(), v = uniform();
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        return triangle.v0 + u * (triangle.v1 - triangle.v0) + v * (triangle.v2 - triangle.v0);
+    }
+
+    std::span<const geometry::Triangle> triangles_;
+    std::span<const Eye> eyes_;
+    std::span<const Vec3> lights_;
+    std::mt19937 random_;
+    math::Box bounds_;
+};
+
+} // namespace
+
+std::vector<RaySet> make_ray_sets(std::span<const geometry::Triangle> triangles,
+                                  std::span<const Eye> eyes, std::span<const Vec3> lights,
+                                  size_t rays_per_set, uint32_t seed) {
+    struct Kind {
+        const char* name;
+        Ray (Generator::*make)();
+    };
+    const Kind kinds[] = {
+        {"camera", &Generator::camera},
+        {"shadow", &Generator::shadow},
+        {"random", &Generator::random},
+        {"axis-parallel", &Generator::axis_parallel},
+        {"through vertices", &Generator::through_vertex},
+        {"along edges", &Generator::along_edge},
+        {"through edges", &Generator::through_edge},
+        {"extreme", &Generator::extreme},
+    };
+    Generator generator(triangles, eyes, lights, seed);
+    std::vector<RaySet> sets;
+    for (const Kind& kind : kinds) {
+        sets.push_back({kind.name, {}});
+        for (size_t i = 0; i < rays_per_set; ++i)
+            sets.back().rays.push_back((generator.*kind.make)());
+    }
+    return sets;
+}
+
+} // namespace peregrine::test

@@ -1,0 +1,73 @@
+#include "support/world.h"
+
+#include "geometry/area.h"
+#include "gltf/import.h"
+#include "level.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+namespace peregrine::test {
+
+World::World(std::vector<geometry::Triangle> list, const accel::kdtree::BuildOptions& options,
+             uint32_t threads)
+    : triangles(std::move(list)) {
+    base::Scheduler scheduler(threads, {}, &memory);
+    tree = accel::kdtree::build(triangles, options, scheduler, {}, &memory);
+}
+
+void TriangleList::add(const math::Vec3& v0, const math::Vec3& v1, const math::Vec3& v2) {
+    const uint32_t primitive = next_++;
+    if (geometry::is_usable(v0) && geometry::is_usable(v1) && geometry::is_usable(v2)
+        && geometry::has_area(v0, v1, v2))
+        triangles.push_back({v0, 0, v1, primitive, v2, 0});
+}
+
+std::string scenes_folder() {
+    namespace fs = std::filesystem;
+    if (const char* folder = std::getenv("PEREGRINE_SCENES")) return folder;
+    const fs::path beside = fs::path(PEREGRINE_SOURCE_DIR) / ".." / "shared" / "scenes";
+    return fs::is_directory(beside) ? beside.string() : std::string();
+}
+
+std::vector<std::string> scene_names() {
+    std::vector<std::string> names;
+    const std::string folder = scenes_folder();
+    if (folder.empty()) return names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".glb") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+SceneFile load_scene(const std::string& name) {
+    const std::string path = name == "hall"
+                                 ? std::string(PEREGRINE_SOURCE_DIR) + "/content/hall.glb"
+                                 : scenes_folder() + "/" + name + ".glb";
+    const host::Level level = host::gltf::import_file(path);
+    SceneFile scene;
+    for (const host::Mesh& mesh : level.meshes) {
+        TriangleList list;
+        for (size_t i = 0; i < mesh.indices.size(); i += 3)
+            list.add(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
+                     mesh.positions[mesh.indices[i + 2]]);
+        for (geometry::Triangle triangle : list.triangles) {
+            triangle.mesh = uint32_t(&mesh - level.meshes.data());
+            scene.triangles.push_back(triangle);
+        }
+    }
+    for (const host::Viewpoint& camera : level.cameras)
+        scene.eyes.push_back({math::Vec3(camera.position), camera.forward});
+    for (const host::Light& light : level.lights)
+        if (light.type != host::LightType::directional)
+            scene.lights.push_back(math::Vec3(light.position));
+    return scene;
+}
+
+size_t rays_per_set(size_t otherwise) {
+    const char* text = std::getenv("PEREGRINE_RAYS");
+    return text ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+} // namespace peregrine::test

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "accel/kdtree/builder.h"
+#include "base/memory.h"
+#include "base/scheduler.h"
+#include "geometry/triangle.h"
+#include "support/ray_sets.h"
+#include "trace/kernels.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace peregrine::test {
+
+// Triangles with the structure over them, as the kernels want them.
+struct World {
+    explicit World(std::vector<geometry::Triangle> list,
+                   const accel::kdtree::BuildOptions& options = {}, uint32_t threads = 2);
+
+    trace::Target target() const {
+        return {triangles.data(), tree.nodes.data(), tree.references.data(), tree.bounds};
+    }
+
+    base::HostMemory memory{{}};
+    std::vector<geometry::Triangle> triangles;
+    accel::kdtree::Tree tree{&memory};
+};
+
+// Number `index` of a list, from vertices; degenerate triangles are left out as by a commit.
+class TriangleList {
+public:
+    void add(const math::Vec3& v0, const math::Vec3& v1, const math::Vec3& v2);
+    std::vector<geometry::Triangle> triangles;
+
+private:
+    uint32_t next_ = 0;
+};
+
+// A scene file of those that are lent to tests, with its cameras and point lights.
+struct SceneFile {
+    std::vector<geometry::Triangle> triangles;
+    std::vector<Eye> eyes;
+    std::vector<math::Vec3> lights;
+};
+
+// Where scenes made by others lie: $PEREGRINE_SCENES, or ../shared/scenes beside the checkout.
+// Empty if there are none.
+std::string scenes_folder();
+
+// The .glb files there, by name without ending.
+std::vector<std::string> scene_names();
+SceneFile load_scene(const std::string& name);
+
+// How many rays a set gets: $PEREGRINE_RAYS, or this default.
+size_t rays_per_set(size_t otherwise);
+
+} // namespace peregrine::test
