@@ -2,7 +2,9 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace peregrine::abi {
@@ -95,7 +97,10 @@ uint64_t require_rows(const void* pixels, uint64_t row_stride, uint64_t row_byte
 void require_addressable(const void* data, uint64_t count, uint64_t stride, uint64_t element,
                          const char* name) {
     if (count == 0) return;
-    const uint64_t room = std::numeric_limits<uintptr_t>::max() - reinterpret_cast<uintptr_t>(data);
+    // Nor is any object larger than pointer differences are.
+    const uint64_t room = std::min<uint64_t>(std::numeric_limits<uintptr_t>::max()
+                                                 - reinterpret_cast<uintptr_t>(data),
+                                             std::numeric_limits<ptrdiff_t>::max());
     if (room < element || (room - element) / stride < count - 1)
         fail(Code::limit, "%s: %llu elements of stride %llu reach beyond the address space", name,
              print(count), print(stride));

@@ -44,7 +44,9 @@ def report(scene, writer: Writer, data: bytes, parts: bool) -> None:
     print(f"triangles  {shown} shown, {sum(writer.triangles.values())} stored")
     print(f"meshes     {len(writer.meshes)}, nodes {len(writer.nodes)}")
     print(f"materials  {len(writer.materials)}, images {len(writer.images)} ({images} bytes)")
-    print(f"lights     {len(scene.lights)}, cameras {len(scene.cameras)}, spawns {len(scene.spawns)}")
+    print(
+        f"lights     {len(scene.lights)}, cameras {len(scene.cameras)}, spawns {len(scene.spawns)}"
+    )
     print(f"bytes      {len(data)}")
 
 

@@ -13,9 +13,9 @@ Viewpoint frame_bounds(const Bounds& bounds) {
     Viewpoint view;
     view.name = "bounds";
     const double radius = bounds.empty() ? 1.0 : std::max(0.5 * bounds.diagonal(), 1e-3);
-    const glm::dvec3 towards = glm::normalize(glm::dvec3(-0.5, -0.45, -1.0));
+    const glm::dvec3 towards = glm::normalize(glm::dvec3(-0.35, -0.35, -1.0));
     const double half_fov = 0.5 * static_cast<double>(view.vertical_fov);
-    view.position = bounds.center() - towards * (radius / std::sin(half_fov));
+    view.position = bounds.center() - towards * (0.9 * radius / std::sin(half_fov));
     view.forward = glm::vec3(towards);
     return view;
 }

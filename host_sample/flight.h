@@ -10,15 +10,15 @@ namespace host {
 // viewpoint orbits `center` if it looks at it, as the one that frames the bounds does, and turns
 // on the spot otherwise.
 class Flight {
-  public:
+public:
     Flight(std::vector<Viewpoint> stops, const glm::dvec3& center, bool orbits);
 
     Viewpoint at(double fraction) const; // 0 to 1
 
-  private:
-    std::vector<Viewpoint> m_stops;
-    glm::dvec3 m_center;
-    bool m_orbits;
+private:
+    std::vector<Viewpoint> stops_;
+    glm::dvec3 center_;
+    bool orbits_;
 };
 
 } // namespace host

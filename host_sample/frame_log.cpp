@@ -5,24 +5,24 @@
 namespace host {
 
 double FrameLog::median_ms() const {
-    if (m_milliseconds.empty()) return 0.0;
-    std::vector<double> sorted = m_milliseconds;
+    if (milliseconds_.empty()) return 0.0;
+    std::vector<double> sorted = milliseconds_;
     std::sort(sorted.begin(), sorted.end());
     const size_t middle = sorted.size() / 2;
     return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
 }
 
 double FrameLog::worst_ms() const {
-    return m_milliseconds.empty() ? 0.0
-                                  : *std::max_element(m_milliseconds.begin(), m_milliseconds.end());
+    return milliseconds_.empty() ? 0.0
+                                 : *std::max_element(milliseconds_.begin(), milliseconds_.end());
 }
 
 double FrameLog::mean_primary() const {
-    return count() == 0 ? 0.0 : static_cast<double>(m_primary) / static_cast<double>(count());
+    return count() == 0 ? 0.0 : static_cast<double>(primary_) / static_cast<double>(count());
 }
 
 double FrameLog::mean_shadow() const {
-    return count() == 0 ? 0.0 : static_cast<double>(m_shadow) / static_cast<double>(count());
+    return count() == 0 ? 0.0 : static_cast<double>(shadow_) / static_cast<double>(count());
 }
 
 double FrameLog::mrays_per_second() const {

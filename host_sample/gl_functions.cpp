@@ -6,11 +6,13 @@ namespace host {
 
 namespace {
 
-template <class Function> void find(Function& function, const char* name) {
+template <class Function>
+void find(Function& function, const char* name) {
     function = reinterpret_cast<Function>(glfwGetProcAddress(name));
 }
 
-template <class Function> void require(Function& function, const char* name) {
+template <class Function>
+void require(Function& function, const char* name) {
     find(function, name);
     if (!function) throw InputError(std::string("the OpenGL driver lacks ") + name);
 }

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "error.h"
+#include "exposure.h"
 #include "flight.h"
 #include "image_file.h"
 
@@ -12,35 +13,41 @@ namespace host {
 namespace {
 
 constexpr uint32_t flight_frames = 24;
+constexpr double flight_step = 0.2; // seconds that a frame of the flight stands for
 
 class PictureMaker {
-  public:
+public:
     explicit PictureMaker(Session& session)
-        : m_session(session),
-          m_frame(session.frame(session.options.width, session.options.height)),
-          m_pixels(size_t{4} * m_frame.width * m_frame.height) {
-        session.width = m_frame.width;
-        session.height = m_frame.height;
+        : session_(session), frame_(session.frame(session.options.width, session.options.height)),
+          pixels_(size_t{4} * frame_.width * frame_.height) {
+        session.width = frame_.width;
+        session.height = frame_.height;
+    }
+
+    void expose(const Viewpoint& viewpoint) { frame_.exposure = exposure_.settle(viewpoint); }
+    void drift(const Viewpoint& viewpoint) {
+        frame_.exposure = exposure_.drift(viewpoint, flight_step);
     }
 
     void render(const Viewpoint& viewpoint) {
-        m_session.log.add(m_session.stage.render(viewpoint, m_frame, m_pixels.data()));
+        session_.log.add(session_.stage.render(viewpoint, frame_, pixels_.data()));
     }
 
     void write(const std::string& path) const {
-        write_png(path, m_frame.width, m_frame.height, m_pixels);
+        write_png(path, frame_.width, frame_.height, pixels_);
     }
 
     void show_progress(uint32_t done, uint32_t count) const {
-        if (m_session.options.quiet || count == 1) return;
+        if (session_.options.quiet || count == 1) return;
         std::cerr << "\rframe " << done << "/" << count << (done == count ? "\n" : "")
                   << std::flush;
     }
 
-  private:
-    Session& m_session;
-    Frame m_frame;
-    std::vector<uint8_t> m_pixels;
+private:
+    Session& session_;
+    Exposure exposure_{session_};
+    Frame frame_;
+    std::vector<uint8_t> pixels_;
 };
 
 void say_result(const Session& session, const std::string& where) {
@@ -51,6 +58,7 @@ void say_result(const Session& session, const std::string& where) {
 
 void run_still(Session& session, uint32_t frames, const std::optional<NumberedName>& numbered) {
     PictureMaker maker(session);
+    maker.expose(session.cameras[session.camera]);
     for (uint32_t i = 0; i < frames; ++i) {
         maker.render(session.cameras[session.camera]);
         if (numbered) maker.write(numbered->at(i));
@@ -72,12 +80,14 @@ void run_flight(Session& session, const std::string& pattern) {
     for (uint32_t i = 0; i < frames; ++i) {
         // A single stop comes full circle, so its last frame must not repeat the first.
         const uint32_t whole = session.cameras.size() == 1 ? frames : std::max(frames, 2u) - 1;
-        maker.render(flight.at(static_cast<double>(i) / static_cast<double>(whole)));
+        const Viewpoint view = flight.at(static_cast<double>(i) / static_cast<double>(whole));
+        maker.drift(view);
+        maker.render(view);
         maker.write(numbered->at(i));
         maker.show_progress(i + 1, frames);
     }
-    say_result(session, std::to_string(frames) + " frames of a fly-through to "
-                            + numbered->at(0) + " and on");
+    say_result(session, std::to_string(frames) + " frames of a fly-through to " + numbered->at(0)
+                            + " and on");
 }
 
 void run_headless(Session& session) {

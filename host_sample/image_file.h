@@ -14,14 +14,14 @@ void write_png(const std::filesystem::path& path, uint32_t width, uint32_t heigh
 
 // A file name with a place for a number: "shot_%04d.png". Nothing if there is none.
 class NumberedName {
-  public:
+public:
     static std::optional<NumberedName> parse(const std::string& text);
 
     std::string at(uint32_t number) const;
 
-  private:
-    std::string m_before, m_after;
-    size_t m_digits = 0;
+private:
+    std::string before_, after_;
+    size_t digits_ = 0;
 };
 
 } // namespace host

@@ -37,8 +37,8 @@ Level load_level(const Options& options) {
 int list_cameras(const std::vector<Viewpoint>& cameras) {
     for (size_t i = 0; i < cameras.size(); ++i) {
         const Viewpoint& view = cameras[i];
-        std::printf("%zu %s at %.2f %.2f %.2f looking along %.2f %.2f %.2f\n", i,
-                    view.name.c_str(), view.position.x, view.position.y, view.position.z,
+        std::printf("%zu %s at %.2f %.2f %.2f looking along %.2f %.2f %.2f\n", i, view.name.c_str(),
+                    view.position.x, view.position.y, view.position.z,
                     static_cast<double>(view.forward.x), static_cast<double>(view.forward.y),
                     static_cast<double>(view.forward.z));
     }
@@ -48,13 +48,15 @@ int list_cameras(const std::vector<Viewpoint>& cameras) {
 rt_commit_report build(Stage& stage, bool quiet) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
-    bool shown = false;
+    int shown = -1; // per cent
     const rt_commit_report report = stage.commit([&](float fraction) {
         if (quiet || Clock::now() - begin < std::chrono::milliseconds(500)) return;
-        std::fprintf(stderr, "\rbuilding %3d%%", static_cast<int>(100.0f * fraction));
-        shown = true;
+        const int percent = static_cast<int>(100.0f * fraction);
+        if (percent == shown) return;
+        std::fprintf(stderr, "\rbuilding %3d%%", percent);
+        shown = percent;
     });
-    if (shown) std::fprintf(stderr, "\rbuilding 100%%\n");
+    if (shown >= 0) std::fprintf(stderr, "\rbuilding 100%%\n");
     return report;
 }
 
@@ -65,8 +67,8 @@ void show(Session& session) {
         return;
     }
     std::string cause;
-    const auto window = Window::open(static_cast<int>(options.width),
-                                     static_cast<int>(options.height), cause);
+    const auto window =
+        Window::open(static_cast<int>(options.width), static_cast<int>(options.height), cause);
     if (window) {
         run_viewer(session, *window);
         return;

@@ -31,7 +31,7 @@ const std::map<std::string, rt_isa> isas = {{"auto", RT_ISA_BEST},
 
 constexpr const char* keys_text = R"(
 In the window:
-  mouse            look around (click to capture it, Esc to release it)
+  mouse, arrows    look around (click to capture the mouse, Esc to release it)
   W A S D          move; Shift runs
   Space, Ctrl      up and down while flying
   F                fly or walk
@@ -99,9 +99,10 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--stats", options.stats, "JSON file to write measurements to [none]");
     app.add_option("--isa", texts.isa,
                    "auto, scalar, sse4, avx2 or avx512 [$PEREGRINE_ISA, else auto]");
-    app.add_option("--exposure", options.exposure, "multiplies the light before tone mapping [1]")
+    app.add_option("--exposure", options.exposure,
+                   "multiplies the light before tone mapping [adapts to the view]")
         ->check(CLI::Range(1e-6, 1e6));
-    app.add_option("--ambient", options.ambient, "light from everywhere [0.12]")
+    app.add_option("--ambient", options.ambient, "light from everywhere [0.15]")
         ->check(CLI::Range(0.0, 1e6));
     app.add_flag("--no-shadows", options.no_shadows, "lights shine through everything");
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
@@ -114,7 +115,7 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
 
 void interpret(const CLI::App& app, const Texts& texts, Options& options) {
     parse_size(texts.size, options);
-    if (!std::isfinite(options.scale + options.exposure + options.ambient))
+    if (!std::isfinite(options.scale + options.exposure.value_or(1.0f) + options.ambient))
         throw InputError("--scale, --exposure and --ambient take finite numbers");
     options.view = find_value(views, texts.view, "--view");
     if (app.count("--frames") > 0) options.frames = texts.frames;
@@ -144,13 +145,18 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
         return {std::nullopt, app.version() + "\n", 0};
     } catch (const std::exception& error) { // CLI::ParseError or InputError
         return {std::nullopt,
-                std::string("peregrine_play: ") + error.what() + " (--help lists the options).\n", 2};
+                std::string("peregrine_play: ") + error.what() + " (--help lists the options).\n",
+                2};
     }
     return {options, "", 0};
 }
 
-const char* isa_name(rt_isa isa) { return find_name(isas, isa, "unknown"); }
+const char* isa_name(rt_isa isa) {
+    return find_name(isas, isa, "unknown");
+}
 
-const char* view_name(rt_view view) { return find_name(views, view, "unknown"); }
+const char* view_name(rt_view view) {
+    return find_name(views, view, "unknown");
+}
 
 } // namespace host

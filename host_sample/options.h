@@ -19,8 +19,8 @@ struct Options {
     rt_view view = RT_VIEW_SHADED;
     std::string stats;
     rt_isa isa = RT_ISA_BEST;
-    float exposure = 1.0f;
-    float ambient = 0.12f;
+    std::optional<float> exposure; // none: adapts to the view
+    float ambient = 0.15f;
     float scale = 1.0f;
     bool no_shadows = false;
     bool list_cameras = false;

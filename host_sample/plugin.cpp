@@ -30,45 +30,47 @@ std::string choose_library(const std::string& wanted) {
 
 } // namespace
 
-Plugin::Plugin(const std::string& library) : m_path(choose_library(library)) {
+Plugin::Plugin(const std::string& library) : path_(choose_library(library)) {
     open();
     try {
         find_api();
     } catch (...) {
-        dlclose(m_library);
+        dlclose(library_);
         throw;
     }
 }
 
-Plugin::~Plugin() { dlclose(m_library); }
+Plugin::~Plugin() {
+    dlclose(library_);
+}
 
 void Plugin::open() {
     // Without a slash dlopen would search the system's folders instead of the current one.
-    std::string name = m_path;
+    std::string name = path_;
     if (name != soname && name.find('/') == std::string::npos) name = "./" + name;
     if (name != soname) {
         std::error_code error;
         if (!std::filesystem::exists(name, error))
-            throw InputError("the engine library " + m_path + " does not exist");
+            throw InputError("the engine library " + path_ + " does not exist");
     }
-    m_library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (m_library) return;
+    library_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library_) return;
     const char* cause = dlerror();
-    throw InputError("the engine library " + m_path
+    throw InputError("the engine library " + path_
                      + " cannot be loaded: " + (cause ? cause : "no cause is known")
                      + ". --library FILE or PEREGRINE_LIBRARY says where it is");
 }
 
 void Plugin::find_api() {
-    const auto get_api = reinterpret_cast<rt_get_api_function>(dlsym(m_library, "rt_get_api"));
+    const auto get_api = reinterpret_cast<rt_get_api_function>(dlsym(library_, "rt_get_api"));
     if (!get_api)
-        throw InputError(m_path + " is no Peregrine library: it does not export rt_get_api");
-    m_api = get_api(RT_API_VERSION);
-    if (!m_api)
-        throw InputError("the library " + m_path + " does not speak version "
+        throw InputError(path_ + " is no Peregrine library: it does not export rt_get_api");
+    api_ = get_api(RT_API_VERSION);
+    if (!api_)
+        throw InputError("the library " + path_ + " does not speak version "
                          + std::to_string(RT_API_VERSION) + " of the interface");
-    if (m_api->struct_size < sizeof(rt_api))
-        throw InputError("the library " + m_path + " (" + m_api->get_version_string()
+    if (api_->struct_size < sizeof(rt_api))
+        throw InputError("the library " + path_ + " (" + api_->get_version_string()
                          + ") is older than this program and lacks functions that it needs");
 }
 

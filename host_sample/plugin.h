@@ -8,7 +8,7 @@ namespace host {
 
 // The engine, loaded by hand. Nothing of it is linked: this is how a game with plugins uses it.
 class Plugin {
-  public:
+public:
     // `library` is a file's name; when empty, $PEREGRINE_LIBRARY, then the places beside this
     // program, then the system's library path are tried. Throws InputError.
     explicit Plugin(const std::string& library);
@@ -16,16 +16,16 @@ class Plugin {
     Plugin(const Plugin&) = delete;
     Plugin& operator=(const Plugin&) = delete;
 
-    const rt_api& api() const { return *m_api; }
-    const std::string& path() const { return m_path; }
+    const rt_api& api() const { return *api_; }
+    const std::string& path() const { return path_; }
 
-  private:
+private:
     void open();
     void find_api();
 
-    std::string m_path;
-    void* m_library = nullptr;
-    const rt_api* m_api = nullptr;
+    std::string path_;
+    void* library_ = nullptr;
+    const rt_api* api_ = nullptr;
 };
 
 } // namespace host

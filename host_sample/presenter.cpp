@@ -18,23 +18,24 @@ void main() {
 }
 )";
 
-// The curve of RT_TONE_FILMIC, then the sRGB encoding (IEC 61966-2-1).
+// The curve of RT_TONE_FILMIC, then the sRGB encoding (IEC 61966-2-1). The debug views are no
+// radiance: the engine writes their values to 8-bit frames as they are, and so does this.
 constexpr const char* radiance_body = R"(
 in vec2 place;
 out vec4 color;
 uniform sampler2D picture;
 uniform float exposure;
 uniform int map_tones;
-vec3 encode(vec3 c) {
-    return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
+vec3 map_radiance(vec3 radiance) {
+    vec3 x = exposure * radiance;
+    vec3 c = clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+    vec3 linear_part = 12.92 * c;
+    vec3 power_part = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
+    return mix(linear_part, power_part, step(0.0031308, c));
 }
 void main() {
     vec3 c = texture(picture, place).rgb;
-    if (map_tones != 0) {
-        vec3 x = exposure * c;
-        c = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
-    }
-    color = vec4(encode(clamp(c, 0.0, 1.0)), 1.0);
+    color = vec4(map_tones != 0 ? map_radiance(c) : clamp(c, 0.0, 1.0), 1.0);
 }
 )";
 
@@ -45,10 +46,11 @@ void main() { gl_FragColor = vec4(texture2D(picture, place).rgb, 1.0); }
 )";
 
 std::string vertex_source(bool modern) {
-    return std::string(modern ? "#version 330 core\n#define attribute_in in\n#define varying_out out\n"
-                              : "#version 120\n#define attribute_in attribute\n"
-                                "#define varying_out varying\n")
-         + vertex_body;
+    return std::string(modern
+                           ? "#version 330 core\n#define attribute_in in\n#define varying_out out\n"
+                           : "#version 120\n#define attribute_in attribute\n"
+                             "#define varying_out varying\n")
+           + vertex_body;
 }
 
 std::string fragment_source(bool modern) {
@@ -86,22 +88,22 @@ GLuint build_program(const GlFunctions& gl, bool modern) {
 
 } // namespace
 
-Presenter::Presenter(bool modern) : m_modern(modern), m_gl(GlFunctions::load()) {
-    m_program = build_program(m_gl, modern);
-    m_exposure = m_gl.GetUniformLocation(m_program, "exposure");
-    m_map_tones = m_gl.GetUniformLocation(m_program, "map_tones");
-    if (m_gl.GenVertexArrays && modern) {
-        m_gl.GenVertexArrays(1, &m_vertex_array);
-        m_gl.BindVertexArray(m_vertex_array);
+Presenter::Presenter(bool modern) : modern_(modern), gl_(GlFunctions::load()) {
+    program_ = build_program(gl_, modern);
+    exposure_ = gl_.GetUniformLocation(program_, "exposure");
+    map_tones_ = gl_.GetUniformLocation(program_, "map_tones");
+    if (gl_.GenVertexArrays && modern) {
+        gl_.GenVertexArrays(1, &vertex_array_);
+        gl_.BindVertexArray(vertex_array_);
     }
     const float corners[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
-    m_gl.GenBuffers(1, &m_corners);
-    m_gl.BindBuffer(GL_ARRAY_BUFFER, m_corners);
-    m_gl.BufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
-    m_gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    m_gl.EnableVertexAttribArray(0);
-    glGenTextures(1, &m_texture);
-    glBindTexture(GL_TEXTURE_2D, m_texture);
+    gl_.GenBuffers(1, &corners_);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, corners_);
+    gl_.BufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
+    gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    gl_.EnableVertexAttribArray(0);
+    glGenTextures(1, &texture_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
@@ -109,20 +111,20 @@ Presenter::Presenter(bool modern) : m_modern(modern), m_gl(GlFunctions::load()) 
 }
 
 Presenter::~Presenter() {
-    glDeleteTextures(1, &m_texture);
-    m_gl.DeleteBuffers(1, &m_corners);
-    if (m_vertex_array) m_gl.DeleteVertexArrays(1, &m_vertex_array);
-    m_gl.DeleteProgram(m_program);
+    glDeleteTextures(1, &texture_);
+    gl_.DeleteBuffers(1, &corners_);
+    if (vertex_array_) gl_.DeleteVertexArrays(1, &vertex_array_);
+    gl_.DeleteProgram(program_);
 }
 
 void Presenter::upload(const void* pixels, uint32_t width, uint32_t height) {
     const auto w = static_cast<GLsizei>(width), h = static_cast<GLsizei>(height);
-    const GLenum type = m_modern ? GL_FLOAT : GL_UNSIGNED_BYTE;
-    if (width != m_width || height != m_height) {
-        const GLint format = m_modern ? GL_RGBA32F : GL_RGBA8;
+    const GLenum type = modern_ ? GL_FLOAT : GL_UNSIGNED_BYTE;
+    if (width != width_ || height != height_) {
+        const GLint format = modern_ ? GL_RGBA32F : GL_RGBA8;
         glTexImage2D(GL_TEXTURE_2D, 0, format, w, h, 0, GL_RGBA, type, pixels);
-        m_width = width;
-        m_height = height;
+        width_ = width;
+        height_ = height;
     } else {
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, w, h, GL_RGBA, type, pixels);
     }
@@ -132,9 +134,9 @@ void Presenter::show(const void* pixels, uint32_t width, uint32_t height, int wi
                      int window_height, float exposure, bool map_tones) {
     upload(pixels, width, height);
     glViewport(0, 0, window_width, window_height);
-    m_gl.UseProgram(m_program);
-    if (m_exposure >= 0) m_gl.Uniform1f(m_exposure, exposure);
-    if (m_map_tones >= 0) m_gl.Uniform1i(m_map_tones, map_tones ? 1 : 0);
+    gl_.UseProgram(program_);
+    if (exposure_ >= 0) gl_.Uniform1f(exposure_, exposure);
+    if (map_tones_ >= 0) gl_.Uniform1i(map_tones_, map_tones ? 1 : 0);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

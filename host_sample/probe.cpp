@@ -17,12 +17,12 @@ std::optional<Contact> Probe::cast(const glm::dvec3& origin, const glm::dvec3& d
     query.ray_count = 1;
     query.hits = &hit;
     query.flags = RT_QUERY_ALPHA_TEST;
-    m_stage.check(m_stage.api().trace_query(m_stage.scene(), &query), "probing the scene");
+    stage_.check(stage_.api().trace_query(stage_.scene(), &query), "probing the scene");
     if (hit.triangle == RT_NO_TRIANGLE) return std::nullopt;
 
     rt_surface surface{};
-    m_stage.check(m_stage.api().resolve_hits(m_stage.scene(), &hit, 1, 0, &surface, 0),
-                  "resolving a hit");
+    stage_.check(stage_.api().resolve_hits(stage_.scene(), &hit, 1, 0, &surface, 0),
+                 "resolving a hit");
     Contact contact;
     contact.distance = static_cast<double>(hit.t);
     for (int i = 0; i < 3; ++i) contact.normal[i] = surface.geometric_normal[i];

@@ -15,15 +15,15 @@ struct Contact {
 
 // Asks the scene what lies in a direction.
 class Probe {
-  public:
-    explicit Probe(const Stage& stage) : m_stage(stage) {}
+public:
+    explicit Probe(const Stage& stage) : stage_(stage) {}
 
     // The first surface within `reach` metres of the origin; `direction` is of unit length.
     std::optional<Contact> cast(const glm::dvec3& origin, const glm::dvec3& direction,
                                 double reach) const;
 
-  private:
-    const Stage& m_stage;
+private:
+    const Stage& stage_;
 };
 
 } // namespace host

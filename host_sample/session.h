@@ -27,7 +27,6 @@ struct Session {
         frame.width = frame_width;
         frame.height = frame_height;
         frame.view = options.view;
-        frame.exposure = options.exposure;
         frame.no_shadows = options.no_shadows;
         const double diagonal = level.bounds.diagonal();
         if (diagonal > 0.0) frame.depth_range = static_cast<float>(diagonal);

@@ -6,19 +6,21 @@
 
 namespace host {
 
-Stage::Stage(const rt_api& api, uint32_t threads, rt_isa isa) : m_api(api) {
+Stage::Stage(const rt_api& api, uint32_t threads, rt_isa isa) : api_(api) {
     rt_scene_desc desc = rt_default_scene_desc();
     desc.worker_count = threads;
     desc.isa = isa;
-    check(m_api.create_scene(&desc, &m_scene), "creating the scene");
+    check(api_.create_scene(&desc, &scene_), "creating the scene");
 }
 
-Stage::~Stage() { m_api.destroy_scene(m_scene); }
+Stage::~Stage() {
+    api_.destroy_scene(scene_);
+}
 
 void Stage::check(rt_result result, const char* what) const {
     if (result == RT_OK) return;
-    throw EngineError(std::string(what) + " failed with " + m_api.get_result_name(result) + ": "
-                      + m_api.get_last_error());
+    throw EngineError(std::string(what) + " failed with " + api_.get_result_name(result) + ": "
+                      + api_.get_last_error());
 }
 
 rt_commit_report Stage::commit(const std::function<void(float)>& progress) {
@@ -31,7 +33,7 @@ rt_commit_report Stage::commit(const std::function<void(float)>& progress) {
         desc.progress_user = const_cast<std::function<void(float)>*>(&progress);
     }
     rt_commit_report report = rt_default_commit_report();
-    check(m_api.commit_scene(m_scene, &desc, &report), "building the scene");
+    check(api_.commit_scene(scene_, &desc, &report), "building the scene");
     return report;
 }
 
@@ -54,13 +56,13 @@ rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, voi
     desc.depth_range = frame.depth_range;
     desc.no_shadows = frame.no_shadows ? 1 : 0;
     rt_frame_stats stats = rt_default_frame_stats();
-    check(m_api.render_frame(m_scene, &camera, &desc, &stats), "rendering a frame");
+    check(api_.render_frame(scene_, &camera, &desc, &stats), "rendering a frame");
     return stats;
 }
 
 rt_scene_stats Stage::stats() const {
     rt_scene_stats stats = rt_default_scene_stats();
-    check(m_api.get_scene_stats(m_scene, &stats), "reading the scene's statistics");
+    check(api_.get_scene_stats(scene_, &stats), "reading the scene's statistics");
     return stats;
 }
 

@@ -20,14 +20,14 @@ struct Frame {
 
 // A scene of the engine. Throws EngineError with the engine's own sentence.
 class Stage {
-  public:
+public:
     Stage(const rt_api& api, uint32_t threads, rt_isa isa);
     ~Stage();
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
-    const rt_api& api() const { return m_api; }
-    rt_scene scene() const { return m_scene; }
+    const rt_api& api() const { return api_; }
+    rt_scene scene() const { return scene_; }
 
     void check(rt_result result, const char* what) const;
 
@@ -39,9 +39,9 @@ class Stage {
 
     rt_scene_stats stats() const;
 
-  private:
-    const rt_api& m_api;
-    rt_scene m_scene{};
+private:
+    const rt_api& api_;
+    rt_scene scene_{};
 };
 
 } // namespace host

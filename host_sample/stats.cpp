@@ -13,16 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::pair<uint32_t, const char*> features[]
-    = {{RT_FEATURE_TEXTURES, "textures"},
-       {RT_FEATURE_NORMAL_MAPS, "normal_maps"},
-       {RT_FEATURE_EMISSIVE, "emissive"},
-       {RT_FEATURE_ALPHA_MASK, "alpha_mask"},
-       {RT_FEATURE_SPECULAR, "specular"},
-       {RT_FEATURE_LIGHTS, "lights"},
-       {RT_FEATURE_SHADOWS, "shadows"},
-       {RT_FEATURE_DYNAMIC_MESHES, "dynamic_meshes"},
-       {RT_FEATURE_SINGLE_SIDED, "single_sided"}};
+constexpr std::pair<uint32_t, const char*> features[] = {
+    {RT_FEATURE_TEXTURES, "textures"},        {RT_FEATURE_NORMAL_MAPS, "normal_maps"},
+    {RT_FEATURE_EMISSIVE, "emissive"},        {RT_FEATURE_ALPHA_MASK, "alpha_mask"},
+    {RT_FEATURE_SPECULAR, "specular"},        {RT_FEATURE_LIGHTS, "lights"},
+    {RT_FEATURE_SHADOWS, "shadows"},          {RT_FEATURE_DYNAMIC_MESHES, "dynamic_meshes"},
+    {RT_FEATURE_SINGLE_SIDED, "single_sided"}};
 
 Json describe_left_out(uint32_t bits) {
     Json names = Json::array();
@@ -32,9 +28,12 @@ Json describe_left_out(uint32_t bits) {
 }
 
 Json describe_bytes(const rt_commit_report& report, const rt_scene_stats& stats) {
-    return {{"triangles", report.bytes_triangles},   {"nodes", report.bytes_nodes},
-            {"references", report.bytes_references}, {"attributes", report.bytes_attributes},
-            {"textures", report.bytes_textures},     {"allocated", stats.bytes_allocated},
+    return {{"triangles", report.bytes_triangles},
+            {"nodes", report.bytes_nodes},
+            {"references", report.bytes_references},
+            {"attributes", report.bytes_attributes},
+            {"textures", report.bytes_textures},
+            {"allocated", stats.bytes_allocated},
             {"peak", stats.bytes_peak}};
 }
 

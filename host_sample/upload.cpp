@@ -8,11 +8,13 @@ namespace host {
 namespace {
 
 // Calls of the engine want arrays of components; GLM's vectors are exactly that.
-template <class T> rt_array to_array(const std::vector<T>& values) {
+template <class T>
+rt_array to_array(const std::vector<T>& values) {
     return {values.empty() ? nullptr : values.data(), values.size(), 0, 0};
 }
 
-template <class Vector> void copy3(const Vector& from, auto* to) {
+template <class Vector>
+void copy3(const Vector& from, auto* to) {
     for (int i = 0; i < 3; ++i) to[i] = from[i];
 }
 
@@ -22,20 +24,20 @@ rt_wrap to_wrap(Wrap wrap) {
 }
 
 class Uploader {
-  public:
-    Uploader(Stage& stage, const Level& level) : m_stage(stage), m_level(level) {}
+public:
+    Uploader(Stage& stage, const Level& level) : stage_(stage), level_(level) {}
 
     void run(float ambient) {
-        for (const Texture& texture : m_level.textures) add_texture(texture);
-        for (const Material& material : m_level.materials) add_material(material);
-        for (const Mesh& mesh : m_level.meshes) add_mesh(mesh);
-        for (const Light& light : m_level.lights) add_light(light);
+        for (const Texture& texture : level_.textures) add_texture(texture);
+        for (const Material& material : level_.materials) add_material(material);
+        for (const Mesh& mesh : level_.meshes) add_mesh(mesh);
+        for (const Light& light : level_.lights) add_light(light);
         set_environment(ambient);
     }
 
-  private:
+private:
     void add_texture(const Texture& texture) {
-        const Image& image = m_level.images[texture.image];
+        const Image& image = level_.images[texture.image];
         rt_texture_desc desc = rt_default_texture_desc();
         desc.format = texture.srgb ? RT_FORMAT_RGBA8_SRGB : RT_FORMAT_RGBA8_LINEAR;
         desc.pixels = image.rgba.data();
@@ -45,15 +47,14 @@ class Uploader {
         desc.wrap_v = to_wrap(texture.wrap_v);
         desc.filter = texture.nearest ? RT_FILTER_NEAREST : RT_FILTER_BILINEAR;
         rt_texture handle{};
-        m_stage.check(m_stage.api().add_texture(m_stage.scene(), &desc, &handle),
-                      "adding a texture");
-        m_textures.push_back(handle);
+        stage_.check(stage_.api().add_texture(stage_.scene(), &desc, &handle), "adding a texture");
+        textures_.push_back(handle);
     }
 
     rt_texture_use to_use(const TextureUse& use) const {
         rt_texture_use result = rt_default_texture_use();
         if (use.texture == no_index) return result;
-        result.texture = m_textures[use.texture];
+        result.texture = textures_[use.texture];
         std::copy(use.transform, use.transform + 6, result.transform);
         result.texcoord_set = use.texcoord_set;
         return result;
@@ -73,18 +74,18 @@ class Uploader {
         desc.base_color_texture = to_use(material.base_color_texture);
         desc.normal_texture = to_use(material.normal_texture);
         desc.emissive_texture = to_use(material.emissive_texture);
-        desc.user_data = m_materials.size();
+        desc.user_data = materials_.size();
         rt_material handle{};
-        m_stage.check(m_stage.api().add_material(m_stage.scene(), &desc, &handle),
-                      "adding a material");
-        m_materials.push_back(handle);
+        stage_.check(stage_.api().add_material(stage_.scene(), &desc, &handle),
+                     "adding a material");
+        materials_.push_back(handle);
     }
 
     void add_mesh(const Mesh& mesh) {
         std::vector<rt_material> materials;
         materials.reserve(mesh.materials.size());
         for (const uint32_t material : mesh.materials)
-            materials.push_back(material == no_index ? rt_material{} : m_materials[material]);
+            materials.push_back(material == no_index ? rt_material{} : materials_[material]);
         rt_mesh_desc desc = rt_default_mesh_desc();
         desc.positions = to_array(mesh.positions);
         desc.normals = to_array(mesh.normals);
@@ -94,15 +95,14 @@ class Uploader {
         desc.indices = to_array(mesh.indices);
         desc.materials = to_array(materials);
         rt_mesh handle{};
-        m_stage.check(m_stage.api().add_static_mesh(m_stage.scene(), &desc, &handle),
-                      "adding a mesh");
+        stage_.check(stage_.api().add_static_mesh(stage_.scene(), &desc, &handle), "adding a mesh");
     }
 
     void add_light(const Light& light) {
         rt_light_desc desc = rt_default_light_desc();
         desc.type = light.type == LightType::point  ? RT_LIGHT_POINT
-                  : light.type == LightType::spot ? RT_LIGHT_SPOT
-                                                  : RT_LIGHT_DIRECTIONAL;
+                    : light.type == LightType::spot ? RT_LIGHT_SPOT
+                                                    : RT_LIGHT_DIRECTIONAL;
         copy3(light.position, desc.position);
         copy3(light.direction, desc.direction);
         copy3(light.intensity, desc.intensity);
@@ -110,26 +110,26 @@ class Uploader {
         desc.cone_inner_cos = light.cone_inner_cos;
         desc.cone_outer_cos = light.cone_outer_cos;
         rt_light handle{};
-        m_stage.check(m_stage.api().add_light(m_stage.scene(), &desc, &handle), "adding a light");
+        stage_.check(stage_.api().add_light(stage_.scene(), &desc, &handle), "adding a light");
     }
 
     // By day the sky is bright; without a sun it is night.
     void set_environment(float ambient) {
-        const bool day = std::any_of(
-            m_level.lights.begin(), m_level.lights.end(),
-            [](const Light& light) { return light.type == LightType::directional; });
+        const bool day =
+            std::any_of(level_.lights.begin(), level_.lights.end(),
+                        [](const Light& light) { return light.type == LightType::directional; });
         rt_environment environment = rt_default_environment();
         copy3(glm::vec3(ambient), environment.ambient);
         copy3(day ? glm::vec3(0.30f, 0.40f, 0.55f) : glm::vec3(0.030f, 0.038f, 0.050f),
               environment.background);
-        m_stage.check(m_stage.api().set_environment(m_stage.scene(), &environment),
-                      "setting the environment");
+        stage_.check(stage_.api().set_environment(stage_.scene(), &environment),
+                     "setting the environment");
     }
 
-    Stage& m_stage;
-    const Level& m_level;
-    std::vector<rt_texture> m_textures;
-    std::vector<rt_material> m_materials;
+    Stage& stage_;
+    const Level& level_;
+    std::vector<rt_texture> textures_;
+    std::vector<rt_material> materials_;
 };
 
 } // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/constants.hpp>
+
 namespace host {
 
 namespace {
@@ -18,62 +20,62 @@ constexpr double climb_speed = 4.0; // how fast the eye follows a stair
 
 void Walker::place(const Viewpoint& viewpoint) {
     const glm::dvec3 f = glm::normalize(glm::dvec3(viewpoint.forward));
-    m_eye = viewpoint.position;
-    m_pitch = std::clamp(std::asin(std::clamp(f.y, -1.0, 1.0)), -steepest_look, steepest_look);
+    eye_ = viewpoint.position;
+    pitch_ = std::clamp(std::asin(std::clamp(f.y, -1.0, 1.0)), -steepest_look, steepest_look);
     // Looking straight down, the heading is where the top of the picture points.
-    const glm::dvec3 heading
-        = std::hypot(f.x, f.z) > 1e-3 ? f : glm::dvec3(viewpoint.up) * (f.y > 0.0 ? -1.0 : 1.0);
-    m_yaw = std::atan2(-heading.x, -heading.z);
-    m_vertical_fov = viewpoint.vertical_fov;
-    m_fall_speed = 0.0;
+    const glm::dvec3 heading =
+        std::hypot(f.x, f.z) > 1e-3 ? f : glm::dvec3(viewpoint.up) * (f.y > 0.0 ? -1.0 : 1.0);
+    yaw_ = std::atan2(-heading.x, -heading.z);
+    vertical_fov_ = viewpoint.vertical_fov;
+    fall_speed_ = 0.0;
 }
 
 void Walker::toggle_walking() {
-    m_walking = !m_walking;
-    m_fall_speed = 0.0;
+    walking_ = !walking_;
+    fall_speed_ = 0.0;
 }
 
 glm::dvec3 Walker::forward() const {
-    const double c = std::cos(m_pitch);
-    return {-std::sin(m_yaw) * c, std::sin(m_pitch), -std::cos(m_yaw) * c};
+    const double c = std::cos(pitch_);
+    return {-std::sin(yaw_) * c, std::sin(pitch_), -std::cos(yaw_) * c};
 }
 
 Viewpoint Walker::viewpoint() const {
     Viewpoint view;
-    view.position = m_eye;
+    view.position = eye_;
     view.forward = glm::vec3(forward());
-    view.vertical_fov = m_vertical_fov;
+    view.vertical_fov = vertical_fov_;
     return view;
 }
 
 void Walker::step(const Controls& controls, double seconds) {
-    m_yaw = std::remainder(m_yaw + static_cast<double>(controls.turn.x), 6.283185307179586);
-    m_pitch = std::clamp(m_pitch + static_cast<double>(controls.turn.y), -steepest_look,
-                         steepest_look);
-    if (m_walking)
+    const glm::dvec2 turn = glm::dvec2(controls.turn) + glm::dvec2(controls.turn_rate) * seconds;
+    yaw_ = std::remainder(yaw_ + turn.x, glm::two_pi<double>());
+    pitch_ = std::clamp(pitch_ + turn.y, -steepest_look, steepest_look);
+    if (walking_)
         walk(controls, seconds);
     else
         fly(controls, seconds);
 }
 
 void Walker::fly(const Controls& controls, double seconds) {
-    const glm::dvec3 right(std::cos(m_yaw), 0.0, -std::sin(m_yaw));
+    const glm::dvec3 right(std::cos(yaw_), 0.0, -std::sin(yaw_));
     const double speed = fly_speed * (controls.run ? run_factor : 1.0);
-    m_eye += (forward() * static_cast<double>(controls.forward)
-              + right * static_cast<double>(controls.right)
-              + glm::dvec3(0.0, static_cast<double>(controls.up), 0.0))
-           * (speed * seconds);
+    eye_ += (forward() * static_cast<double>(controls.forward)
+             + right * static_cast<double>(controls.right)
+             + glm::dvec3(0.0, static_cast<double>(controls.up), 0.0))
+            * (speed * seconds);
 }
 
 void Walker::walk(const Controls& controls, double seconds) {
-    const glm::dvec3 ahead(-std::sin(m_yaw), 0.0, -std::cos(m_yaw));
-    const glm::dvec3 right(std::cos(m_yaw), 0.0, -std::sin(m_yaw));
-    glm::dvec3 wish = ahead * static_cast<double>(controls.forward)
-                    + right * static_cast<double>(controls.right);
+    const glm::dvec3 ahead(-std::sin(yaw_), 0.0, -std::cos(yaw_));
+    const glm::dvec3 right(std::cos(yaw_), 0.0, -std::sin(yaw_));
+    glm::dvec3 wish =
+        ahead * static_cast<double>(controls.forward) + right * static_cast<double>(controls.right);
     const double length = glm::length(wish);
     if (length > 1.0) wish /= length; // diagonals are no faster
     const double speed = walk_speed * (controls.run ? run_factor : 1.0);
-    m_eye += slide_along_walls(wish * (speed * seconds));
+    eye_ += slide_along_walls(wish * (speed * seconds));
     settle_on_floor(seconds);
 }
 
@@ -88,8 +90,8 @@ glm::dvec3 Walker::slide_along_walls(glm::dvec3 motion) const {
         std::optional<Contact> nearest;
         for (const double drop : {eye_height - step_height, 0.5 * eye_height, 0.0})
             for (const double offset : {0.0, -0.7 * body_radius, 0.7 * body_radius}) {
-                const glm::dvec3 origin = m_eye - glm::dvec3(0.0, drop, 0.0) + side * offset;
-                const auto contact = m_probe.cast(origin, direction, length + body_radius);
+                const glm::dvec3 origin = eye_ - glm::dvec3(0.0, drop, 0.0) + side * offset;
+                const auto contact = probe_.cast(origin, direction, length + body_radius);
                 if (contact && (!nearest || contact->distance < nearest->distance))
                     nearest = contact;
             }
@@ -107,31 +109,30 @@ void Walker::settle_on_floor(double seconds) {
     double height = farthest_floor; // of the eye above the highest floor under the body
     bool found = false;
     const double r = 0.7 * body_radius;
-    for (const glm::dvec3& offset : {glm::dvec3(0.0), glm::dvec3(r, 0.0, 0.0),
-                                     glm::dvec3(-r, 0.0, 0.0), glm::dvec3(0.0, 0.0, r),
-                                     glm::dvec3(0.0, 0.0, -r)}) {
-        const auto floor
-            = m_probe.cast(m_eye + offset, glm::dvec3(0.0, -1.0, 0.0), farthest_floor);
+    for (const glm::dvec3& offset :
+         {glm::dvec3(0.0), glm::dvec3(r, 0.0, 0.0), glm::dvec3(-r, 0.0, 0.0),
+          glm::dvec3(0.0, 0.0, r), glm::dvec3(0.0, 0.0, -r)}) {
+        const auto floor = probe_.cast(eye_ + offset, glm::dvec3(0.0, -1.0, 0.0), farthest_floor);
         // Nearer than a step is an edge beside the body, not a floor under it.
         if (!floor || floor->distance < eye_height - step_height - 0.3) continue;
         height = std::min(height, floor->distance);
         found = true;
     }
     if (!found) { // over the void: stay, rather than fall for ever
-        m_fall_speed = 0.0;
+        fall_speed_ = 0.0;
         return;
     }
     const double above = height - eye_height;
     if (above <= 1e-3) {
-        m_fall_speed = 0.0;
-        m_eye.y += std::min(-above, climb_speed * seconds);
+        fall_speed_ = 0.0;
+        eye_.y += std::min(-above, climb_speed * seconds);
         return;
     }
-    const bool stair = m_fall_speed == 0.0 && above < step_height;
-    m_fall_speed = std::min(m_fall_speed + gravity * seconds, fastest_fall);
-    const double drop = stair ? climb_speed * seconds : m_fall_speed * seconds;
-    if (drop >= above || stair) m_fall_speed = 0.0;
-    m_eye.y -= std::min(drop, above);
+    const bool stair = fall_speed_ == 0.0 && above < step_height;
+    fall_speed_ = std::min(fall_speed_ + gravity * seconds, fastest_fall);
+    const double drop = stair ? climb_speed * seconds : fall_speed_ * seconds;
+    if (drop >= above || stair) fall_speed_ = 0.0;
+    eye_.y -= std::min(drop, above);
 }
 
 } // namespace host

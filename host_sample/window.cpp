@@ -9,7 +9,7 @@ namespace host {
 namespace {
 
 constexpr float radians_per_pixel = 0.0022f;
-constexpr float arrow_turn = 0.03f; // a frame
+constexpr float arrow_turn = 1.8f; // radians a second
 
 GLFWwindow* create(int width, int height, bool modern) {
     glfwDefaultWindowHints();
@@ -36,7 +36,9 @@ bool has_display() {
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
-Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+Window& of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
 
 } // namespace
 
@@ -63,7 +65,7 @@ std::unique_ptr<Window> Window::open(int width, int height, std::string& cause) 
     return std::unique_ptr<Window>(new Window(window, modern));
 }
 
-Window::Window(GLFWwindow* window, bool modern) : m_window(window), m_modern(modern) {
+Window::Window(GLFWwindow* window, bool modern) : window_(window), modern_(modern) {
     glfwMakeContextCurrent(window);
     glfwSwapInterval(0); // frames come when they are ready: their time is on show
     install_callbacks();
@@ -71,96 +73,109 @@ Window::Window(GLFWwindow* window, bool modern) : m_window(window), m_modern(mod
 }
 
 Window::~Window() {
-    glfwDestroyWindow(m_window);
+    glfwDestroyWindow(window_);
     glfwTerminate();
 }
 
 void Window::install_callbacks() {
-    glfwSetWindowUserPointer(m_window, this);
-    glfwSetKeyCallback(m_window, [](GLFWwindow* window, int key, int, int action, int) {
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
         of(window).on_key(key, action);
     });
     glfwSetCursorPosCallback(
-        m_window, [](GLFWwindow* window, double x, double y) { of(window).on_cursor(x, y); });
-    glfwSetMouseButtonCallback(m_window, [](GLFWwindow* window, int, int action, int) {
+        window_, [](GLFWwindow* window, double x, double y) { of(window).on_cursor(x, y); });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int action, int) {
         if (action == GLFW_PRESS) of(window).capture_mouse(true);
     });
     // A key that is let go over another window must not stay held.
-    glfwSetWindowFocusCallback(m_window, [](GLFWwindow* window, int focused) {
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
         if (focused) return;
-        for (bool& held : of(window).m_held) held = false;
+        for (bool& held : of(window).held_) held = false;
     });
 }
 
 void Window::capture_mouse(bool captured) {
-    m_captured = captured;
-    m_has_cursor = false;
-    glfwSetInputMode(m_window, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    captured_ = captured;
+    has_cursor_ = false;
+    glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
 }
 
 void Window::on_key(int key, int action) {
-    if (key < 0 || key >= static_cast<int>(std::size(m_held))) return;
-    m_held[key] = action != GLFW_RELEASE;
+    if (key < 0 || key >= static_cast<int>(std::size(held_))) return;
+    held_[key] = action != GLFW_RELEASE;
     if (action != GLFW_PRESS) return;
     switch (key) {
-    case GLFW_KEY_F: m_presses.toggle_walking = true; break;
-    case GLFW_KEY_V: m_presses.next_view = true; break;
-    case GLFW_KEY_C: m_presses.next_camera = true; break;
+    case GLFW_KEY_F:
+        ++presses_.toggle_walking;
+        break;
+    case GLFW_KEY_V:
+        ++presses_.next_view;
+        break;
+    case GLFW_KEY_C:
+        ++presses_.next_camera;
+        break;
     case GLFW_KEY_P:
-    case GLFW_KEY_F12: m_presses.screenshot = true; break;
+    case GLFW_KEY_F12:
+        ++presses_.screenshot;
+        break;
     case GLFW_KEY_ESCAPE:
-        if (m_captured)
+        if (captured_)
             capture_mouse(false);
         else
-            glfwSetWindowShouldClose(m_window, GLFW_TRUE);
+            glfwSetWindowShouldClose(window_, GLFW_TRUE);
         break;
-    default: break;
+    default:
+        break;
     }
 }
 
 void Window::on_cursor(double x, double y) {
-    if (m_captured && m_has_cursor)
-        m_turn += glm::vec2(static_cast<float>(m_cursor_x - x), static_cast<float>(m_cursor_y - y))
-                * radians_per_pixel;
-    m_cursor_x = x;
-    m_cursor_y = y;
-    m_has_cursor = true;
+    if (captured_ && has_cursor_)
+        turn_ += glm::vec2(static_cast<float>(cursor_x_ - x), static_cast<float>(cursor_y_ - y))
+                 * radians_per_pixel;
+    cursor_x_ = x;
+    cursor_y_ = y;
+    has_cursor_ = true;
 }
 
-bool Window::closing() const { return glfwWindowShouldClose(m_window) != 0; }
+bool Window::closing() const {
+    return glfwWindowShouldClose(window_) != 0;
+}
 
 void Window::framebuffer_size(int& width, int& height) const {
-    glfwGetFramebufferSize(m_window, &width, &height);
+    glfwGetFramebufferSize(window_, &width, &height);
 }
 
-void Window::set_title(const std::string& title) { glfwSetWindowTitle(m_window, title.c_str()); }
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
 
 void Window::present() {
-    glfwSwapBuffers(m_window);
+    glfwSwapBuffers(window_);
     glfwPollEvents();
 }
 
 Controls Window::controls() {
     const auto axis = [this](int positive, int negative) {
-        return (m_held[positive] ? 1.0f : 0.0f) - (m_held[negative] ? 1.0f : 0.0f);
+        return (held_[positive] ? 1.0f : 0.0f) - (held_[negative] ? 1.0f : 0.0f);
     };
     Controls controls;
     controls.forward = axis(GLFW_KEY_W, GLFW_KEY_S);
     controls.right = axis(GLFW_KEY_D, GLFW_KEY_A);
     controls.up = axis(GLFW_KEY_SPACE, GLFW_KEY_LEFT_CONTROL);
-    if (m_held[GLFW_KEY_RIGHT_CONTROL]) controls.up -= 1.0f;
-    controls.run = m_held[GLFW_KEY_LEFT_SHIFT] || m_held[GLFW_KEY_RIGHT_SHIFT];
-    controls.turn = m_turn
-                  + arrow_turn
-                        * glm::vec2(axis(GLFW_KEY_LEFT, GLFW_KEY_RIGHT),
-                                    axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
-    m_turn = glm::vec2(0.0f);
+    if (held_[GLFW_KEY_RIGHT_CONTROL]) controls.up -= 1.0f;
+    controls.run = held_[GLFW_KEY_LEFT_SHIFT] || held_[GLFW_KEY_RIGHT_SHIFT];
+    controls.turn = turn_;
+    controls.turn_rate =
+        arrow_turn
+        * glm::vec2(axis(GLFW_KEY_LEFT, GLFW_KEY_RIGHT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
+    turn_ = glm::vec2(0.0f);
     return controls;
 }
 
 Presses Window::take_presses() {
-    const Presses presses = m_presses;
-    m_presses = {};
+    const Presses presses = presses_;
+    presses_ = {};
     return presses;
 }
 

@@ -9,21 +9,21 @@ struct GLFWwindow;
 
 namespace host {
 
-// What was pressed since the last poll.
+// How often what was pressed since the last poll.
 struct Presses {
-    bool toggle_walking = false, next_view = false, next_camera = false, screenshot = false;
+    uint32_t toggle_walking = 0, next_view = 0, next_camera = 0, screenshot = 0;
 };
 
 // A window with a GL context, and the mouse and keyboard that belong to it.
 class Window {
-  public:
+public:
     // Null, and a sentence why, if there is no display or no usable GL.
     static std::unique_ptr<Window> open(int width, int height, std::string& cause);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    bool modern_gl() const { return m_modern; } // 3.3 or later
+    bool modern_gl() const { return modern_; } // 3.3 or later
     bool closing() const;
     void framebuffer_size(int& width, int& height) const;
     void set_title(const std::string& title);
@@ -32,20 +32,20 @@ class Window {
     Controls controls(); // and resets what the mouse has moved
     Presses take_presses();
 
-  private:
+private:
     Window(GLFWwindow* window, bool modern);
     void install_callbacks();
     void capture_mouse(bool captured);
     void on_key(int key, int action);
     void on_cursor(double x, double y);
 
-    GLFWwindow* m_window;
-    bool m_modern;
-    bool m_captured = false, m_has_cursor = false;
-    double m_cursor_x = 0.0, m_cursor_y = 0.0;
-    glm::vec2 m_turn{0.0f};
-    Presses m_presses;
-    bool m_held[512] = {}; // by GLFW's key
+    GLFWwindow* window_;
+    bool modern_;
+    bool captured_ = false, has_cursor_ = false;
+    double cursor_x_ = 0.0, cursor_y_ = 0.0;
+    glm::vec2 turn_{0.0f};
+    Presses presses_;
+    bool held_[512] = {}; // by GLFW's key
 };
 
 } // namespace host

@@ -56,7 +56,9 @@ class Opening:
         points = []
         for k in range(ARCH_STEPS + 1):
             a = math.pi * (1 - k / ARCH_STEPS)
-            points.append((middle + self.radius * math.cos(a), self.spring + self.radius * math.sin(a)))
+            points.append(
+                (middle + self.radius * math.cos(a), self.spring + self.radius * math.sin(a))
+            )
         points[0], points[-1] = (self.x0, self.spring), (self.x1, self.spring)
         return points
 
@@ -73,10 +75,15 @@ def wall(
     material: str = "ashlar",
     reveal: str = "trim",
     back: str | None = "same",
+    vault: Opening | None = None,
 ) -> Model:
-    """`back` names the rear face's material; None leaves it out."""
+    """`back` names the rear face's material; None leaves it out. Under a vault the wall ends in
+    its curve there."""
     model = Model()
-    cuts = sorted({round(x, 6) for o in openings for x in o.edges()} | {0.0, length})
+    cuts = {round(x, 6) for o in openings for x in o.edges()} | {0.0, length}
+    if vault:
+        cuts |= {round(x, 6) for x in vault.edges()}
+    cuts = sorted(cuts)
     front = []
     for x0, x1 in zip(cuts, cuts[1:]):
         middle = (x0 + x1) / 2
@@ -86,12 +93,26 @@ def wall(
             if o.y0 > low0 + 1e-6:
                 front.append(polygon([(x0, low0, 0), (x1, low1, 0), (x1, o.y0, 0), (x0, o.y0, 0)]))
             low0, low1 = o.head(x0), o.head(x1)
-        front.append(polygon([(x0, low0, 0), (x1, low1, 0), (x1, height, 0), (x0, height, 0)]))
+        high0 = high1 = height
+        if vault and vault.x0 < middle < vault.x1:
+            high0, high1 = vault.head(x0), vault.head(x1)
+        front.append(polygon([(x0, low0, 0), (x1, low1, 0), (x1, high1, 0), (x0, high0, 0)]))
     model.add(material, *front)
     if back:
         turned = place(length, 0, -thickness, 180)
-        mirrored = wall(length, height, thickness, [_mirrored(o, length) for o in openings], material, reveal, None)
-        model.add(material if back == "same" else back, *(m.transformed(turned) for m in mirrored.parts[material]))
+        mirrored = wall(
+            length,
+            height,
+            thickness,
+            [_mirrored(o, length) for o in openings],
+            material,
+            reveal,
+            None,
+        )
+        model.add(
+            material if back == "same" else back,
+            *(m.transformed(turned) for m in mirrored.parts[material]),
+        )
     for o in openings:
         model.add(reveal, *_reveal(o, thickness))
     return model
@@ -104,10 +125,16 @@ def _mirrored(o: Opening, length: float) -> Opening:
 def _reveal(o: Opening, t: float) -> list[Mesh]:
     meshes = []
     if o.spring > o.y0 + 1e-6:
-        meshes.append(polygon([(o.x0, o.y0, 0), (o.x0, o.y0, -t), (o.x0, o.spring, -t), (o.x0, o.spring, 0)]))
-        meshes.append(polygon([(o.x1, o.y0, -t), (o.x1, o.y0, 0), (o.x1, o.spring, 0), (o.x1, o.spring, -t)]))
+        meshes.append(
+            polygon([(o.x0, o.y0, 0), (o.x0, o.y0, -t), (o.x0, o.spring, -t), (o.x0, o.spring, 0)])
+        )
+        meshes.append(
+            polygon([(o.x1, o.y0, -t), (o.x1, o.y0, 0), (o.x1, o.spring, 0), (o.x1, o.spring, -t)])
+        )
     if o.y0 > 0.01:
-        meshes.append(polygon([(o.x0, o.y0, 0), (o.x1, o.y0, 0), (o.x1, o.y0, -t), (o.x0, o.y0, -t)]))
+        meshes.append(
+            polygon([(o.x0, o.y0, 0), (o.x1, o.y0, 0), (o.x1, o.y0, -t), (o.x0, o.y0, -t)])
+        )
     curve = np.array(o.curve())
     count = len(curve)
     positions = np.zeros((2, count, 3))
@@ -126,7 +153,12 @@ def _reveal(o: Opening, t: float) -> list[Mesh]:
     for k in range(count - 1):
         a, b, c, d = k, k + 1, count + k + 1, count + k
         triangles += [(a, b, c), (a, c, d)]
-    mesh = Mesh(positions.reshape(-1, 3), normalized(normals.reshape(-1, 3)), uvs.reshape(-1, 2), np.array(triangles))
+    mesh = Mesh(
+        positions.reshape(-1, 3),
+        normalized(normals.reshape(-1, 3)),
+        uvs.reshape(-1, 2),
+        np.array(triangles),
+    )
     p = mesh.positions[mesh.triangles[0]]
     facing = np.cross(p[1] - p[0], p[2] - p[0]) @ mesh.normals[0]
     if facing < 0:
@@ -156,7 +188,9 @@ def arched_pane(o: Opening, depth: float, unit: bool) -> Mesh:
     """Fills an opening; `unit` stretches the texture once over its bounds."""
     curve = o.curve()
     outline = [(o.x0, o.y0), (o.x1, o.y0)] + curve[::-1]
-    points = [(x, y, -depth) for x, y in dict.fromkeys((round(x, 7), round(y, 7)) for x, y in outline)]
+    points = [
+        (x, y, -depth) for x, y in dict.fromkeys((round(x, 7), round(y, 7)) for x, y in outline)
+    ]
     uvs = None
     if unit:
         top = o.spring + o.radius
@@ -181,11 +215,13 @@ def fluted_shaft(foot: float, top: float, height: float, flutes: int = 12) -> Me
     columns = flutes * 2 + 1
     angle = np.arange(columns) * (2 * math.pi / (columns - 1))
     dent = np.array([0.0, 0.11])[np.arange(columns) % 2]
-    fade = np.array([0.1, 1, 1, 1, 0.1])
-    t = np.array([0, 0.04, 0.5, 0.96, 1.0])
+    fade = np.array([0.1, 1, 1, 0.1])
+    t = np.array([0, 0.05, 0.95, 1.0])
     radius = foot + (top - foot) * t + 0.012 * np.sin(math.pi * t)
     r = radius[:, None] * (1 - dent[None, :] * fade[:, None])
-    positions = np.stack([r * np.cos(angle), np.repeat(t[:, None] * height, columns, 1), -r * np.sin(angle)], 2)
+    positions = np.stack(
+        [r * np.cos(angle), np.repeat(t[:, None] * height, columns, 1), -r * np.sin(angle)], 2
+    )
     positions[:, -1] = positions[:, 0]
     uvs = np.stack(np.broadcast_arrays(angle[None, :] * foot, -(t * height)[:, None]), 2)
     return closed_surface(positions, uvs)
@@ -202,7 +238,9 @@ def capital(foot: float, top: float, height: float, leaves: int = 8) -> Mesh:
     lobe = 0.5 + 0.5 * np.cos(leaves * angle)
     other = 0.5 - 0.5 * np.cos(leaves * angle)
     r = bell[:, None] * (1 + lower[:, None] * lobe + upper[:, None] * other)
-    positions = np.stack([r * np.cos(angle), np.repeat(t[:, None] * height, columns, 1), -r * np.sin(angle)], 2)
+    positions = np.stack(
+        [r * np.cos(angle), np.repeat(t[:, None] * height, columns, 1), -r * np.sin(angle)], 2
+    )
     positions[:, -1] = positions[:, 0]
     uvs = np.stack(np.broadcast_arrays(angle[None, :] * top, -(t * height)[:, None]), 2)
     return closed_surface(positions, uvs)
@@ -210,12 +248,19 @@ def capital(foot: float, top: float, height: float, leaves: int = 8) -> Mesh:
 
 def plain_shaft(foot: float, top: float, height: float) -> Mesh:
     middle = (foot + top) / 2 + 0.008
-    return lathe([(foot, 0.0), (middle, height * 0.5), (top, height)], 16)
+    return lathe([(foot, 0.0), (middle, height * 0.5), (top, height)], 14)
 
 
-def column(height: float, radius: float, abacus: float = 0.43, plinth: float = 0.45, fluted: bool = True) -> Model:
+def column(
+    height: float, radius: float, abacus: float = 0.43, plinth: float = 0.45, fluted: bool = True
+) -> Model:
     r = radius
-    base_height, cap_height, abacus_height, plinth_height = 0.26 * r / 0.3, 0.52 * r / 0.3, 0.14, 0.18
+    base_height, cap_height, abacus_height, plinth_height = (
+        0.26 * r / 0.3,
+        0.52 * r / 0.3,
+        0.14,
+        0.18,
+    )
     base = [
         (r * 1.42, 0.0), (r * 1.52, base_height * 0.22), (r * 1.42, base_height * 0.45),
         (r * 1.22, base_height * 0.52), (r * 1.20, base_height * 0.66), (r * 1.30, base_height * 0.80),
@@ -228,11 +273,11 @@ def column(height: float, radius: float, abacus: float = 0.43, plinth: float = 0
     return Model().add(
         "trim",
         box(-plinth, 0, -plinth, plinth, plinth_height, plinth, 0.03, "-y"),
-        lathe(base, 14).transformed(translation(0, plinth_height, 0)),
+        lathe(base, 14 if fluted else 11).transformed(translation(0, plinth_height, 0)),
         turned(r, r * 0.86, shaft).transformed(translation(0, y, 0)),
-        lathe(neck, 14, 30).transformed(translation(0, y + shaft, 0)),
+        lathe(neck, 14 if fluted else 11, 30).transformed(translation(0, y + shaft, 0)),
         capital(r * 0.84, abacus * 0.92, cap_height).transformed(translation(0, y + shaft, 0)),
-        box(-abacus, height - abacus_height, -abacus, abacus, height, abacus, 0.025, "+y"),
+        box(-abacus, height - abacus_height, -abacus, abacus, height, abacus, 0.025),
     )
 
 
@@ -241,20 +286,22 @@ def pedestal(height: float = 1.0, half: float = 0.36) -> Model:
     return Model().add(
         "trim",
         box(-cap, 0, -cap, cap, 0.14, cap, 0.025, "-y"),
-        box(-half, 0.14, -half, half, height - 0.12, half, 0.02, "-y +y"),
+        box(-half, 0.14, -half, half, height - 0.12, half, 0.0, "-y +y"),
         box(-cap, height - 0.12, -cap, cap, height, cap, 0.025),
     )
 
 
 def newel(height: float = 1.15) -> Model:
-    return pedestal(height, 0.19).add("trim", sphere(0.17, 10, 6).transformed(translation(0, height + 0.14, 0)))
+    return pedestal(height, 0.19).add(
+        "trim", sphere(0.17, 10, 6).transformed(translation(0, height + 0.14, 0))
+    )
 
 
 # ---------------------------------------------------------------------------- balustrades, stairs
 
 
 def baluster(height: float) -> Mesh:
-    profile = [(0.058, 0), (0.034, 0.09), (0.068, 0.29), (0.028, 0.64), (0.036, 0.86), (0.058, 1.0)]
+    profile = [(0.052, 0), (0.042, 0.07), (0.070, 0.28), (0.028, 0.68), (0.058, 1.0)]
     return lathe([(r, y * height) for r, y in profile], 6, 60)
 
 
@@ -276,7 +323,10 @@ def balustrade(length: float, rise: float = 0.0, spacing: float = 0.35) -> Model
     turned = baluster(0.88 - curb + (0.06 if rise else 0.0))
     for k in range(count):
         t = (k + 0.5) / count
-        model.add("trim", turned.transformed(translation(t * length, curb + t * rise - (0.03 if rise else 0), 0)))
+        model.add(
+            "trim",
+            turned.transformed(translation(t * length, curb + t * rise - (0.03 if rise else 0), 0)),
+        )
     return model
 
 
@@ -289,9 +339,17 @@ def stair(steps: int, rise: float, going: float, width: float, bevel: float = 0.
         # The nosing juts out over the step below.
         under = top - 0.05
         model.add("trim", box(x0 - 0.025, under, -width, x1, top, 0, bevel, "+x"))
-        model.add("ashlar", polygon([(x0, k * rise, -width), (x0, k * rise, 0), (x0, under, 0), (x0, under, -width)]))
+        model.add(
+            "ashlar",
+            polygon(
+                [(x0, k * rise, -width), (x0, k * rise, 0), (x0, under, 0), (x0, under, -width)]
+            ),
+        )
         model.add("ashlar", polygon([(x0, 0, 0), (x1, 0, 0), (x1, under, 0), (x0, under, 0)]))
-        model.add("ashlar", polygon([(x1, 0, -width), (x0, 0, -width), (x0, under, -width), (x1, under, -width)]))
+        model.add(
+            "ashlar",
+            polygon([(x1, 0, -width), (x0, 0, -width), (x0, under, -width), (x1, under, -width)]),
+        )
     return model
 
 
@@ -312,13 +370,22 @@ def runner(path: list[tuple[float, float]], width: float, lift: float = 0.012) -
     lifted = points.copy()
     for k in range(len(points)):
         around = normals[max(k - 1, 0) : k + 1]
-        offset = around.sum(axis=0) if len(around) == 2 and abs(around[0] @ around[1]) < 0.5 else around[0]
+        offset = (
+            around.sum(axis=0)
+            if len(around) == 2 and abs(around[0] @ around[1]) < 0.5
+            else around[0]
+        )
         lifted[k] += lift * offset
     v = np.concatenate([[0], np.cumsum(lengths)]) / width
     meshes = []
     for k in range(len(points) - 1):
         (xa, ya), (xb, yb) = lifted[k], lifted[k + 1]
-        corners = [(xa, ya, width / 2), (xb, yb, width / 2), (xb, yb, -width / 2), (xa, ya, -width / 2)]
+        corners = [
+            (xa, ya, width / 2),
+            (xb, yb, width / 2),
+            (xb, yb, -width / 2),
+            (xa, ya, -width / 2),
+        ]
         uvs = [(1, -v[k]), (1, -v[k + 1]), (0, -v[k + 1]), (0, -v[k])]
         meshes.append(polygon(corners, np.array(uvs)))
     return merge(meshes)
@@ -332,7 +399,13 @@ def cornice(length: float, scale: float = 1.0) -> Mesh:
 
 
 def skirting(length: float, height: float = 0.3) -> Mesh:
-    profile = [(0.07, 0.0), (0.07, height * 0.7), (0.045, height * 0.8), (0.03, height), (0.0, height)]
+    profile = [
+        (0.07, 0.0),
+        (0.07, height * 0.7),
+        (0.045, height * 0.8),
+        (0.03, height),
+        (0.0, height),
+    ]
     return extrude(profile, length, 30)
 
 
@@ -362,7 +435,7 @@ def coffered_vault(radius: float, length: float, across: int, along: int) -> Mod
                 z = rib_z * (m > 0) + step_z * (m > 1)
                 frames.append((i * da + a, (i + 1) * da - a, -k * dz - z, -(k + 1) * dz + z))
             outer, middle, inner = frames
-            r1, r2 = radius + 0.17, radius + 0.30
+            r1, r2 = radius + 0.15, radius + 0.30
             _ring(quad, outer, middle, radius, radius, True)
             _ring(quad, middle, middle, radius, r1, False)
             _ring(quad, middle, inner, r1, r1, False)
@@ -375,8 +448,10 @@ def coffered_vault(radius: float, length: float, across: int, along: int) -> Mod
 
 def _ring(quad, a, b, ra: float, rb: float, smooth: bool) -> None:
     """Four quads from the rectangle a at radius ra to the rectangle b at radius rb."""
+
     def loop(f, r):
         return [(f[0], f[2], r), (f[0], f[3], r), (f[1], f[3], r), (f[1], f[2], r)]
+
     outer, inner = loop(a, ra), loop(b, rb)
     for k in range(4):
         j = (k + 1) % 4
@@ -390,13 +465,29 @@ def rib(radius: float, width: float, depth: float, steps: int = 24) -> Mesh:
     half = width / 2
     for k in range(steps):
         a0, a1 = math.pi * k / steps, math.pi * (k + 1) / steps
+
         def p(a, r, z):
             return (-r * math.cos(a), r * math.sin(a), z)
-        under = polygon([p(a0, inner, half), p(a0, inner, -half), p(a1, inner, -half), p(a1, inner, half)],
-                        np.array([(half, inner * a0), (-half, inner * a0), (-half, inner * a1), (half, inner * a1)]))  # fmt: skip
+
+        loop = [(a0, half), (a0, -half), (a1, -half), (a1, half)]
+        uvs = np.array([(z, inner * a) for a, z in loop])
+        under = polygon([p(a, inner, z) for a, z in loop], uvs)
         n0, n1 = (math.cos(a0), -math.sin(a0), 0), (math.cos(a1), -math.sin(a1), 0)
         under.normals = np.array([n0, n0, n1, n1], float)
         meshes.append(under)
-        meshes.append(polygon([p(a0, radius, half), p(a0, inner, half), p(a1, inner, half), p(a1, radius, half)]))
-        meshes.append(polygon([p(a0, inner, -half), p(a0, radius, -half), p(a1, radius, -half), p(a1, inner, -half)]))
+        meshes.append(
+            polygon(
+                [p(a0, radius, half), p(a0, inner, half), p(a1, inner, half), p(a1, radius, half)]
+            )
+        )
+        meshes.append(
+            polygon(
+                [
+                    p(a0, inner, -half),
+                    p(a0, radius, -half),
+                    p(a1, radius, -half),
+                    p(a1, inner, -half),
+                ]
+            )
+        )
     return merge(meshes)

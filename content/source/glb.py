@@ -49,7 +49,9 @@ def check(name: str, mesh: Mesh) -> None:
     face = np.cross(b - a, c - a)
     assert np.linalg.norm(face, axis=1).min() > TRIANGLE_MIN_AREA, f"{name}: degenerate triangle"
     agree = np.sum(face * mesh.normals[mesh.triangles].sum(axis=1), axis=1)
-    assert (agree > 0).all(), f"{name}: {int((agree <= 0).sum())} triangles face away from their normals"
+    assert (
+        agree > 0
+    ).all(), f"{name}: {int((agree <= 0).sum())} triangles face away from their normals"
 
 
 class Writer:
@@ -124,7 +126,9 @@ class Writer:
         elif m.picture:
             colour = m.picture()
         if colour is not None:
-            data = textures.png(colour) if colour.shape[2] == 4 else textures.jpeg(colour, m.quality)
+            data = (
+                textures.png(colour) if colour.shape[2] == 4 else textures.jpeg(colour, m.quality)
+            )
             pbr["baseColorTexture"] = self.texture(m.name, data)
         if height is not None:
             normals = textures.normal_map(height, m.tile, m.relief_strength)

@@ -1,8 +1,8 @@
 """The plan of the level. North is -Z; the great hall's south door is at the origin.
 
-    west rooms  x -22.8 .. -10.8   store rooms and a corridor, the library above them
-    great hall  x -10.2 ..  10.2   z -34 .. 0, aisles with galleries above, the grand stair
-    courtyard   x  10.8 ..  26.8   z -26 .. -6, a cloister with a walk above, open to the sky
+west rooms  x -22.8 .. -10.8   store rooms and a corridor, the library above them
+great hall  x -10.2 ..  10.2   z -34 .. 0, aisles with galleries above, the grand stair
+courtyard   x  10.8 ..  26.8   z -26 .. -6, a cloister with a walk above, open to the sky
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from .mesh import (
     normalized,
     place,
     polygon,
+    rotation_y,
     scaling,
     translation,
 )
@@ -71,7 +72,9 @@ def build() -> Scene:
 def add_prefabs(scene: Scene) -> None:
     scene.prefabs = {
         "column": arch.column(IMPOST, 0.30),
-        "gallery_column": arch.column(UPPER_IMPOST - GALLERY - 1.0, 0.23, plinth=0.34, fluted=False),
+        "gallery_column": arch.column(
+            UPPER_IMPOST - GALLERY - 1.0, 0.23, plinth=0.34, fluted=False
+        ),
         "pedestal": arch.pedestal(1.0),
         "newel": arch.newel(),
         "balustrade": arch.balustrade(BAY - 0.8),
@@ -101,19 +104,28 @@ def add_prefabs(scene: Scene) -> None:
 
 def great_hall(scene: Scene) -> None:
     room = scene.room("great_hall")
-    room.add("marble", floor(-OUTER, NORTH, OUTER, SOUTH, 0.0))
+    room.add("marble", floor(-OUTER, NORTH, OUTER, SOUTH + 0.6, 0.0))  # on under the south door
     ground_doors = [Opening(z - 0.9, z + 0.9, 0.0, 2.1) for z in (-22.0, -10.0)]
     east = ground_doors + [Opening(-14.9, -13.1, GALLERY, GALLERY + 2.1)]
-    windows = [Opening(z - 0.8, z + 0.8, GALLERY + 1.2, GALLERY + 3.0) for z in (-22.0, -18.0, -10.0)]
-    west = ground_doors + [Opening(z - 0.9, z + 0.9, GALLERY, GALLERY + 2.1) for z in (-22.0, -10.0)]
+    windows = [
+        Opening(z - 0.8, z + 0.8, GALLERY + 1.2, GALLERY + 3.0) for z in (-22.0, -18.0, -10.0)
+    ]
+    west = ground_doors + [
+        Opening(z - 0.9, z + 0.9, GALLERY, GALLERY + 2.1) for z in (-22.0, -10.0)
+    ]
     room.add_model(hall_side(east + windows))
     room.add_model(hall_side(west), MIRROR_X)
     gallery_windows(room, windows)
     end_walls(room)
     vault = arch.coffered_vault(NAVE, SOUTH - NORTH, 9, 17)
     room.add_model(vault, translation(0, EAVES, SOUTH))
-    for k in range(9):
-        room.add("trim", arch.rib(NAVE, 0.5, 0.2).transformed(translation(0, EAVES, -BAY * k)))
+    for z in [-BAY * k for k in range(9)] + [NORTH + 0.2]:
+        room.add("trim", arch.rib(NAVE, 0.5, 0.2).transformed(translation(0, EAVES, z)))
+    crest = translation(0, 14.1, NORTH) @ scaling(2.4, 2.4, 2.4)
+    room.add_model(fit.shield(), crest)
+    room.add_model(
+        fit.shield(), translation(0, 14.1, SOUTH) @ rotation_y(180) @ scaling(2.4, 2.4, 2.4)
+    )
     columns(scene)
 
 
@@ -134,7 +146,9 @@ def hall_side(openings: list[Opening]) -> Model:
         side.add_model(end, place(ARCADE + 0.35, foot, start, NORTH_FACING))
     # a lintel carries the vault past the stair
     side.add("trim", box(NAVE, 10.0, NORTH, ARCADE + 0.35, EAVES, start, 0.03, "+y -z"))
-    side.add("trim", arch.cornice(start - NORTH).transformed(place(NAVE, EAVES, NORTH, WEST_FACING)))
+    side.add(
+        "trim", arch.cornice(start - NORTH).transformed(place(NAVE, EAVES, NORTH, WEST_FACING))
+    )
     side.add("trim", box(NAVE, 9.5, NORTH, ARCADE + 0.35, 10.0, NORTH + 0.5, 0.04, "+y -z"))
     side.add("planks", floor(NAVE, start, AISLE, SOUTH, GALLERY))
     side.add("planks", floor(6.5, NORTH, AISLE, start, GALLERY))
@@ -144,7 +158,19 @@ def hall_side(openings: list[Opening]) -> Model:
     side.add("planks", ceiling(ARCADE + 0.35, NORTH, AISLE, SOUTH, EAVES))
     for k in range(1, 8):
         for top in (SLAB, EAVES):
-            side.add("timber", box(ARCADE + 0.35, top - 0.3, -BAY * k - 0.15, AISLE, top, -BAY * k + 0.15, 0.02, "+y"))
+            side.add(
+                "timber",
+                box(
+                    ARCADE + 0.35,
+                    top - 0.3,
+                    -BAY * k - 0.15,
+                    AISLE,
+                    top,
+                    -BAY * k + 0.15,
+                    0.02,
+                    "+y",
+                ),
+            )
             bracket(side, AISLE, top - 0.3, -BAY * k)
     doors = [o for o in openings if o.y0 in (0.0, GALLERY)]
     for base in (0.0, GALLERY):
@@ -160,7 +186,7 @@ def skirt(side: Model, cuts: list[float], base: float) -> None:
 
 
 def bracket(side: Model, x: float, y: float, z: float) -> None:
-    side.add("timber", box(x - 0.14, y - 0.55, z - 0.09, x, y, z + 0.09, 0.015, "+x +y"))
+    side.add("timber", box(x - 0.14, y - 0.55, z - 0.09, x, y, z + 0.09, 0.015, "+x +y").grain_up())
     side.add("trim", box(x - 0.2, y - 0.72, z - 0.14, x, y - 0.55, z + 0.14, 0.03, "+x"))
 
 
@@ -170,7 +196,7 @@ def surround(side: Model, o: Opening) -> None:
     for x, yaw in ((AISLE, WEST_FACING), (OUTER, EAST_FACING)):
         ring = arch.archivolt(o.radius, 0.24, 0.05, 9)
         side.add("trim", ring.transformed(place(x, o.spring, middle, yaw)))
-        count = max(2, round((o.spring - o.y0) / 0.42))
+        count = max(2, round((o.spring - o.y0) / 0.55))
         for k in range(count):
             y0 = o.y0 + (o.spring - o.y0) * k / count
             y1 = o.y0 + (o.spring - o.y0) * (k + 1) / count
@@ -197,21 +223,35 @@ def end_walls(room: Model) -> None:
         Opening(centre - 4.6, centre - 2.8, 6.4, 9.6),
         Opening(centre + 2.8, centre + 4.6, 6.4, 9.6),
     ]
-    room.add_model(arch.wall(2 * OUTER, 17.2, 0.6, north, back=None), place(-OUTER, 0, NORTH, SOUTH_FACING))
-    south = [Opening(centre - 1.5, centre + 1.5, 0.0, 2.7), Opening(centre - 1.5, centre + 1.5, 7.4, 10.6)]
-    room.add_model(arch.wall(2 * OUTER, 17.2, 0.6, south, back=None), place(OUTER, 0, SOUTH, NORTH_FACING))
+    under = Opening(centre - NAVE - 0.35, centre + NAVE + 0.35, 0.0, EAVES)
+    wall = arch.wall(2 * OUTER, EAVES, 0.6, north, back=None, vault=under)
+    room.add_model(wall, place(-OUTER, 0, NORTH, SOUTH_FACING))
+    south = [
+        Opening(centre - 1.5, centre + 1.5, 0.0, 2.7),
+        Opening(centre - 1.5, centre + 1.5, 7.4, 10.6),
+    ]
+    wall = arch.wall(2 * OUTER, EAVES, 0.6, south, back=None, vault=under)
+    room.add_model(wall, place(OUTER, 0, SOUTH, NORTH_FACING))
     for o, x, z, yaw in [(o, -OUTER, NORTH, 0) for o in north] + [(south[1], OUTER, SOUTH, 180)]:
         pane = arch.arched_pane(o, 0.4, True)
         room.add("stained_glass", pane.transformed(place(x, 0, z, yaw)))
         frame(room, o, place(x, 0, z, yaw))
     frame(room, south[0], place(OUTER, 0, SOUTH, NORTH_FACING))
-    for s, matrix in ((1, place(1.5, 0, 0.3, NORTH_FACING)), (-1, place(-1.5, 0, 0.3, NORTH_FACING) @ MIRROR_X)):
+    for s, matrix in (
+        (1, place(1.5, 0, 0.3, NORTH_FACING)),
+        (-1, place(-1.5, 0, 0.3, NORTH_FACING) @ MIRROR_X),
+    ):
         room.add_model(fit.door_leaf(1.5, 4.2, True), matrix)
 
 
 def frame(room: Model, o: Opening, matrix: np.ndarray) -> None:
     middle = (o.x0 + o.x1) / 2
-    room.add("trim", arch.archivolt(o.radius, 0.34, 0.10, 13).transformed(matrix @ translation(middle, o.spring, 0)))
+    room.add(
+        "trim",
+        arch.archivolt(o.radius, 0.34, 0.10, 13).transformed(
+            matrix @ translation(middle, o.spring, 0)
+        ),
+    )
     for x in (o.x0 - 0.30, o.x1):
         room.add("trim", box(x, o.y0, 0, x + 0.30, o.spring, 0.10, 0.025, "-z").transformed(matrix))
     if o.y0 > 0:
@@ -248,28 +288,54 @@ def grand_stair(scene: Scene) -> None:
     path = arch.stair_path(FLIGHT, RISE, GOING, -foot - 1.2, 1.1)
     room.add("carpet", arch.runner(path, 1.9).transformed(place(0, 0, foot, 90)))
     east = Model()
-    east.add("ashlar", polygon([(2.0, 0, edge), (2.0, 0, side_front), (2.0, LANDING, side_front), (2.0, LANDING, edge)]))
-    east.add("ashlar", polygon([(2.0, 0, side_front), (6.5, 0, side_front), (6.5, LANDING, side_front), (2.0, LANDING, side_front)]))
-    east.add("ashlar", polygon([(6.5, 0, side_front), (6.5, 0, NORTH), (6.5, SLAB, NORTH), (6.5, SLAB, side_front)]))
+    east.add(
+        "ashlar",
+        polygon(
+            [(2.0, 0, edge), (2.0, 0, side_front), (2.0, LANDING, side_front), (2.0, LANDING, edge)]
+        ),
+    )
+    east.add(
+        "ashlar",
+        polygon(
+            [
+                (2.0, 0, side_front),
+                (6.5, 0, side_front),
+                (6.5, LANDING, side_front),
+                (2.0, LANDING, side_front),
+            ]
+        ),
+    )
+    east.add(
+        "ashlar",
+        polygon(
+            [(6.5, 0, side_front), (6.5, 0, NORTH), (6.5, SLAB, NORTH), (6.5, SLAB, side_front)]
+        ),
+    )
     flight = arch.stair(FLIGHT, RISE, GOING, side_front - NORTH)
     east.add_model(flight, place(2.0, LANDING, side_front, 0))
     slope = RISE / GOING
-    east.add_model(arch.balustrade(4.1, 4.1 * slope), place(2.2, LANDING + 0.27, side_front - 0.12, 0))
+    east.add_model(
+        arch.balustrade(4.1, 4.1 * slope), place(2.2, LANDING + 0.27, side_front - 0.12, 0)
+    )
     east.add_model(arch.balustrade(4.2, 4.2 * slope), place(1.88, 0.27, foot - 0.2, 90))
     east.add("trim", box(6.5, SLAB, side_front, 6.78, GALLERY, LAST_COLUMN - 0.4, 0.02, "-z +z"))
     east.add_model(arch.balustrade(2.3), place(6.64, GALLERY, side_front + 0.1, -90))
-    east.add("trim", arch.cornice(side_front - NORTH, 0.6).transformed(place(6.5, SLAB, side_front, 90)))
+    east.add(
+        "trim", arch.cornice(side_front - NORTH, 0.6).transformed(place(6.5, SLAB, side_front, 90))
+    )
     room.add_model(east).add_model(east, MIRROR_X)
     for s in (-1, 1):
         scene.put("newel", s * 1.88, 0, foot + 0.05)
         scene.put("newel", s * 1.88, LANDING, edge - 0.28)
         scene.put("newel", s * 6.62, GALLERY, side_front - 0.12)
         scene.put("brazier", s * 3.5, 0, foot + 0.2)
-        scene.light("brazier", s * 3.5, 1.62, foot + 0.2, FIRE, 26, 11)
+        scene.light("brazier", s * 3.5, 1.62, foot + 0.2, FIRE, 20, 11)
         scene.put("banner_red", s * 3.7, 6.1, NORTH)
     scene.put("armillary", 0, LANDING, -32.6)
     for x, candela in ((0.0, 20.0), (-3.7, 9.0), (3.7, 9.0)):
         scene.light("stained_window", x, 8.4, NORTH + 1.6, MOON, candela, 13)
+    scene.light("ruby_glass", -1.5, 6.4, NORTH + 0.9, (1.0, 0.30, 0.20), 6, 6)
+    scene.light("amber_glass", 1.5, 6.4, NORTH + 0.9, (1.0, 0.72, 0.25), 6, 6)
     scene.light("armillary", 0.0, LANDING + 0.5, -31.2, WARM, 7, 6)
 
 
@@ -277,7 +343,9 @@ def entrance_bridge(scene: Scene) -> None:
     room = scene.room("entrance")
     front = -BAY - 0.35
     piers = [Opening(3.9 * k + 0.4, 3.9 * k + 3.5, 0, 0) for k in range(3)]
-    room.add_model(arch.wall(2 * NAVE, GALLERY - IMPOST, 0.7, piers), place(NAVE, IMPOST, front, NORTH_FACING))
+    room.add_model(
+        arch.wall(2 * NAVE, GALLERY - IMPOST, 0.7, piers), place(NAVE, IMPOST, front, NORTH_FACING)
+    )
     room.add("trim", arch.cornice(2 * NAVE).transformed(place(NAVE, GALLERY, front, NORTH_FACING)))
     room.add("planks", floor(-NAVE, front, NAVE, SOUTH, GALLERY))
     room.add("planks", ceiling(-NAVE, front + 0.7, NAVE, SOUTH, SLAB))
@@ -286,7 +354,10 @@ def entrance_bridge(scene: Scene) -> None:
         scene.put("column", s * 1.95, 0, -BAY)
         scene.put("pedestal", s * 1.95, GALLERY, -BAY)
         room.add_model(arch.balustrade(3.48), place(s * 4.08 - 1.74, GALLERY, -BAY, 0))
-        room.add("timber", box(s * 1.95 - 0.15, SLAB - 0.3, front + 0.7, s * 1.95 + 0.15, SLAB, SOUTH, 0.02, "+y"))
+        room.add(
+            "timber",
+            box(s * 1.95 - 0.15, SLAB - 0.3, front + 0.7, s * 1.95 + 0.15, SLAB, SOUTH, 0.02, "+y"),
+        )
     for k in range(3):
         ring = arch.archivolt(1.55).transformed(place(3.9 * (k - 1), IMPOST, front, NORTH_FACING))
         room.add("trim", ring)
@@ -298,17 +369,19 @@ def entrance_bridge(scene: Scene) -> None:
 def sconce(scene: Scene, x: float, y: float, z: float, yaw: float, candela=9.5, reach=7.5) -> None:
     scene.put("sconce", x, y, z, yaw)
     a = math.radians(yaw)
-    scene.light("sconce", x + 0.36 * math.sin(a), y + 0.42, z + 0.36 * math.cos(a), WARM, candela, reach)
+    scene.light(
+        "sconce", x + 0.36 * math.sin(a), y + 0.42, z + 0.36 * math.cos(a), WARM, candela, reach
+    )
 
 
 def hall_fittings(scene: Scene) -> None:
     for z in (-8.0, -15.0, -22.0):
         scene.put("chandelier", 0, 8.6, z, 15)
-        scene.light("chandelier", 0, 9.2, z, WARM, 27, 15)
+        scene.light("chandelier", 0, 9.2, z, WARM, 19, 14)
     for s in (-1, 1):
-        for z in (-8.0, -12.0, -16.0, -20.0):
+        for z in (-11.0, -15.0, -19.0, -23.0):
             scene.put("torchere", s * 1.75, 0, z)
-            scene.light("torchere", s * 1.75, 2.02, z, FIRE, 6, 5.5)
+            scene.light("torchere", s * 1.75, 2.02, z, FIRE, 6.5, 5.5)
         for z in (-6.0, -14.0, -18.0, -26.0):
             sconce(scene, s * AISLE, 2.2, z, -s * 90.0)
         for z in (-8.0, -16.0, -26.0):
@@ -328,12 +401,14 @@ def hall_fittings(scene: Scene) -> None:
 def courtyard(scene: Scene) -> None:
     court = scene.room("courtyard")
     x0, x1, z0, z1 = OUTER, COURT_EAST, COURT_NORTH, COURT_SOUTH
-    court.add("flagstones", floor(x0, z0, x1, z1, 0.0))
+    court.add("flagstones", floor(x0, z0, x1 + 0.6, z1, 0.0))  # on under the gate
     length = x1 - x0
     court.add_model(arch.wall(length, COURT_WALL, 0.6, back=None), place(x0, 0, z0, SOUTH_FACING))
     court.add_model(arch.wall(length, COURT_WALL, 0.6, back=None), place(x1, 0, z1, NORTH_FACING))
     gate = Opening(8.7, 11.3, 0.0, 2.3)
-    court.add_model(arch.wall(z1 - z0, COURT_WALL, 0.6, [gate], back=None), place(x1, 0, z0, WEST_FACING))
+    court.add_model(
+        arch.wall(z1 - z0, COURT_WALL, 0.6, [gate], back=None), place(x1, 0, z0, WEST_FACING)
+    )
     frame(court, gate, place(x1, 0, z0, WEST_FACING))
     grille = arch.arched_pane(gate, 0.3, False)
     court.add("grate", grille.transformed(place(x1, 0, z0, WEST_FACING)))
@@ -360,16 +435,26 @@ def battlements(court: Model, x0: float, z0: float, x1: float, z1: float) -> Non
         for k in range(int(span / 1.7)):
             s = 0.5 + 1.7 * k
             if along_x:
-                court.add("ashlar", box(ax + s, y + 0.16, az + 0.05, ax + s + 0.9, y + 1.0, bz - 0.05, 0.0, "-y"))
+                court.add(
+                    "ashlar",
+                    box(ax + s, y + 0.16, az + 0.05, ax + s + 0.9, y + 1.0, bz - 0.05, 0.0, "-y"),
+                )
             else:
-                court.add("ashlar", box(ax + 0.05, y + 0.16, az + s, bx - 0.05, y + 1.0, az + s + 0.9, 0.0, "-y"))
+                court.add(
+                    "ashlar",
+                    box(ax + 0.05, y + 0.16, az + s, bx - 0.05, y + 1.0, az + s + 0.9, 0.0, "-y"),
+                )
 
 
 def cloister(scene: Scene, court: Model) -> None:
     front, z0, z1 = 13.8, COURT_NORTH, COURT_SOUTH
     piers = [Opening(BAY * k + 0.4, BAY * (k + 1) - 0.4, 0, 0) for k in range(5)]
-    court.add_model(arch.wall(z1 - z0, GALLERY - IMPOST, 0.7, piers), place(front, IMPOST, z1, EAST_FACING))
-    court.add("trim", arch.cornice(z1 - z0 - 1.8, 0.8).transformed(place(front, GALLERY, z1, EAST_FACING)))
+    court.add_model(
+        arch.wall(z1 - z0, GALLERY - IMPOST, 0.7, piers), place(front, IMPOST, z1, EAST_FACING)
+    )
+    court.add(
+        "trim", arch.cornice(z1 - z0 - 1.8, 0.8).transformed(place(front, GALLERY, z1, EAST_FACING))
+    )
     court.add("flagstones", floor(OUTER, z0, front, z1, GALLERY))
     court.add("planks", ceiling(OUTER, z0, front - 0.7, z1, SLAB))
     for k in range(6):
@@ -378,7 +463,9 @@ def cloister(scene: Scene, court: Model) -> None:
         if k < 5:
             scene.put("archivolt", front, IMPOST, z - BAY / 2, 90)
             scene.put("pedestal", front - 0.35, GALLERY, z)
-            court.add("timber", box(OUTER, SLAB - 0.28, z - 0.14, front - 0.7, SLAB, z + 0.14, 0.02, "+y"))
+            court.add(
+                "timber", box(OUTER, SLAB - 0.28, z - 0.14, front - 0.7, SLAB, z + 0.14, 0.02, "+y")
+            )
         if k < 4:
             scene.put("balustrade", front - 0.35, GALLERY, z - 0.4, 90)
     court.add_model(arch.balustrade(1.45), place(front - 0.2, GALLERY, z0 + 2.15, -90))
@@ -408,14 +495,21 @@ def sky_dome(radius: float) -> Mesh:
             a, b = i * columns + j, i * columns + j + 1
             triangles += [(a, b, b + columns), (a, b + columns, a + columns)]
     points = positions.reshape(-1, 3)
-    return drop_degenerate(Mesh(points * radius, normalized(-points), uvs.reshape(-1, 2), np.array(triangles)))
+    return drop_degenerate(
+        Mesh(points * radius, normalized(-points), uvs.reshape(-1, 2), np.array(triangles))
+    )
 
 
 def court_fittings(scene: Scene) -> None:
     scene.put("fountain", 20.0, 0, -15.0)
     scene.light("fountain", 20.0, 3.9, -13.6, MOON, 7, 8)
-    scene.light("moon", 22.5, 13.5, -12.0, MOON, 75, 30)
-    for x, z, yaw in ((16.0, COURT_SOUTH, 180), (22.5, COURT_SOUTH, 180), (COURT_EAST, -11.5, -90), (COURT_EAST, -20.5, -90)):
+    scene.light("moon", 22.5, 13.5, -12.0, MOON, 105, 30)
+    for x, z, yaw in (
+        (16.0, COURT_SOUTH, 180),
+        (22.5, COURT_SOUTH, 180),
+        (COURT_EAST, -11.5, -90),
+        (COURT_EAST, -20.5, -90),
+    ):
         sconce(scene, x, 2.5, z, yaw, 14.0, 9.0)
     court = scene.room("courtyard")
     for x, y, z, yaw, width, height, seed in (
@@ -426,10 +520,12 @@ def court_fittings(scene: Scene) -> None:
         court.add_model(fit.ivy(width, height, seed), place(x, y, z, yaw))
     for z in (-13.4, -18.6):
         scene.put("banner_blue", COURT_EAST, 6.6, z, -90)
-    for k, (x, z, yaw) in enumerate([(25.9, -7.0, 8), (24.8, -6.8, -20), (25.8, -8.2, 33), (15.0, -6.9, 12)]):
+    for k, (x, z, yaw) in enumerate(
+        [(25.9, -7.0, 8), (24.8, -6.8, -20), (25.8, -8.2, 33), (15.0, -6.9, 12)]
+    ):
         scene.put("crate", x, 0, z, yaw)
     scene.put("crate", 25.7, 0.9, -7.2, -14)
-    for x, z in ((25.9, -25.2), (25.1, -25.4), (25.7, -24.4), (16.0, -6.6), (24.0, -7.4)):
+    for x, z in ((25.9, -25.2), (25.1, -25.4), (25.7, -24.4), (24.0, -7.4)):
         scene.put("barrel", x, 0, z, x * 40)
 
 
@@ -454,9 +550,17 @@ def west_rooms(scene: Scene) -> None:
     room.add("planks", ceiling(x0, z0, x1, z1, LIBRARY_CEILING))
     hx0, hz0, hx1, hz1 = HOLE
     for a, b in (((hx1, hz0), (hx0, hz0)), ((hx1, hz1), (hx1, hz0))):
-        edge = [(a[0], SLAB, a[1]), (b[0], SLAB, b[1]), (b[0], GALLERY, b[1]), (a[0], GALLERY, a[1])]
+        edge = [
+            (a[0], SLAB, a[1]),
+            (b[0], SLAB, b[1]),
+            (b[0], GALLERY, b[1]),
+            (a[0], GALLERY, a[1]),
+        ]
         room.add("timber", polygon(edge[::-1]))
-    for foot, height, material in ((0.0, SLAB, "brick"), (GALLERY, LIBRARY_CEILING - GALLERY, "plaster")):
+    for foot, height, material in (
+        (0.0, SLAB, "brick"),
+        (GALLERY, LIBRARY_CEILING - GALLERY, "plaster"),
+    ):
         for length, matrix, openings in (
             (x1 - x0, place(x0, foot, z0, SOUTH_FACING), []),
             (x1 - x0, place(x1, foot, z1, NORTH_FACING), []),
@@ -467,7 +571,17 @@ def west_rooms(scene: Scene) -> None:
                 room.add("timber", arch.skirting(length, 0.3).transformed(matrix))
     # the well's walls between the storeys
     for a, b in (((x0, hz1), (x0, hz0)),):
-        room.add("brick", polygon([(a[0], SLAB, a[1]), (b[0], SLAB, b[1]), (b[0], GALLERY, b[1]), (a[0], GALLERY, a[1])]))
+        room.add(
+            "brick",
+            polygon(
+                [
+                    (a[0], SLAB, a[1]),
+                    (b[0], SLAB, b[1]),
+                    (b[0], GALLERY, b[1]),
+                    (a[0], GALLERY, a[1]),
+                ]
+            ),
+        )
     for o in library_windows():
         matrix = place(x0, GALLERY, z1, EAST_FACING)
         room.add("leaded_glass", arch.arched_pane(o, 0.3, False).transformed(matrix))
@@ -476,7 +590,10 @@ def west_rooms(scene: Scene) -> None:
     service_stair(scene, room)
     for k in range(5):
         z = z0 + 2.0 + BAY * k
-        room.add("timber", box(x0, LIBRARY_CEILING - 0.35, z - 0.16, x1, LIBRARY_CEILING, z + 0.16, 0.02, "+y"))
+        room.add(
+            "timber",
+            box(x0, LIBRARY_CEILING - 0.35, z - 0.16, x1, LIBRARY_CEILING, z + 0.16, 0.02, "+y"),
+        )
         beam_start = hx1 if hz0 < z < hz1 else x0
         room.add("timber", box(beam_start, SLAB - 0.25, z - 0.12, x1, SLAB, z + 0.12, 0.02, "+y"))
     store_fittings(scene)
@@ -494,14 +611,17 @@ def partitions(room: Model) -> None:
     cell = [Opening(5.4, 7.0, 0.0, 2.3, arched=False)]
     other = place(WEST, 0, -15.0, SOUTH_FACING)
     room.add_model(arch.wall(-14.0 - WEST, SLAB, 0.4, cell, "brick"), other)
-    room.add_model(fit.portcullis(1.6, 2.3), place(WEST + 6.2, 0, -15.2, 0) @ translation(0.75, 0, 0.75) @ place(0, 0, 0, 62))
+    room.add_model(
+        fit.portcullis(1.6, 2.3),
+        place(WEST + 6.2, 0, -15.2, 0) @ translation(0.75, 0, 0.75) @ place(0, 0, 0, 62),
+    )
     for o in doors:
         middle = translation((o.x0 + o.x1) / 2, o.spring, 0)
         room.add("trim", arch.archivolt(o.radius, 0.24, 0.05, 9).transformed(matrix @ middle))
         back = translation((o.x0 + o.x1) / 2, o.spring, -0.4) @ scaling(1, 1, -1)
         room.add("trim", arch.archivolt(o.radius, 0.24, 0.05, 9).transformed(matrix @ back))
     leaf = fit.door_leaf(1.6, 2.75, False)
-    room.add_model(leaf, place(-13.55, 0, -9.2, 0) @ place(0, 0, 0, 20))
+    room.add_model(leaf, place(-13.52, 0, -9.2, -80))
 
 
 def service_stair(scene: Scene, room: Model) -> None:
@@ -525,7 +645,14 @@ def store_fittings(scene: Scene) -> None:
         scene.put("crate", x, 0, z, yaw)
     scene.put("crate", -22.1, 0.9, -6.9, 30)
     scene.put("crate", -16.5, 0.9, -25.3, -12)
-    for x, z in ((-22.3, -10.0), (-22.2, -10.9), (-21.5, -10.4), (-18.6, -25.4), (-19.4, -25.2), (-14.6, -17.2), (-14.7, -18.1)):
+    for x, z in (
+        (-22.3, -10.0),
+        (-22.2, -10.9),
+        (-21.5, -10.4),
+        (-18.6, -25.4),
+        (-19.4, -25.2),
+        (-14.6, -17.2),
+    ):
         scene.put("barrel", x, 0, z, z * 50)
     scene.put("table", -18.0, 0, -11.0, 15)
     scene.put("bench", -18.2, 0, -10.1, 15)
@@ -557,7 +684,7 @@ def library_fittings(scene: Scene) -> None:
 def viewpoints(scene: Scene) -> None:
     scene.camera("cam_hero", (1.1, 3.0, -4.9), (-0.5, 4.6, -30.0))
     scene.camera("cam_balcony", (-0.4, GALLERY + 1.9, -2.6), (0.5, 6.4, -28.0))
-    scene.camera("cam_stairs", (4.3, 1.7, -19.6), (-0.6, 4.2, -33.0))
+    scene.camera("cam_stairs", (3.0, 1.8, -20.4), (-0.5, 4.3, -33.0))
     scene.camera("cam_gallery", (8.6, GALLERY + 1.7, -27.5), (2.0, 6.0, -4.0))
     scene.camera("cam_courtyard", (25.6, 1.8, -10.0), (13.5, 4.3, -21.0), 65.0)
     scene.camera("cam_library", (-12.4, GALLERY + 1.7, -8.0), (-18.2, GALLERY + 1.2, -24.0))

@@ -63,6 +63,7 @@ MATERIALS = [
              picture=textures.embers, glows=True),
     Material("sky", 1.0, 1.0, colour=(0.0, 0.0, 0.0), emissive=(0.8, 0.8, 0.8),
              picture=textures.night_sky, glows=True),
-    Material("flame", colour=(0.0, 0.0, 0.0), emissive=(1.0, 0.36, 0.06), emissive_strength=1.25),
+    Material("flame", colour=(0.0, 0.0, 0.0), emissive=(1.0, 1.0, 1.0), emissive_strength=1.3,
+             picture=textures.fire, glows=True),
     Material("wax", roughness=0.6, colour=(0.72, 0.64, 0.48), emissive=(0.10, 0.06, 0.025)),
 ]  # fmt: skip

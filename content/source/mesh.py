@@ -30,6 +30,10 @@ class Mesh:
     def with_uvs(self, uvs: np.ndarray) -> "Mesh":
         return Mesh(self.positions, self.normals, uvs, self.triangles)
 
+    def grain_up(self) -> "Mesh":
+        """Turns the texture a quarter, for posts and legs."""
+        return self.with_uvs(self.uvs[:, ::-1])
+
     def scaled_uvs(self, factor: float) -> "Mesh":
         return self.with_uvs(self.uvs * factor)
 
@@ -233,13 +237,13 @@ def _bevels(inset: dict, normals: dict, skipped: set) -> list[Mesh]:
 
 def _rounded(points: list, normals: list) -> Mesh:
     flat = polygon(points)
-    return Mesh(flat.positions, np.array(normals), box_uv(flat.positions, normals[0]), flat.triangles)
+    return Mesh(
+        flat.positions, np.array(normals), box_uv(flat.positions, normals[0]), flat.triangles
+    )
 
 
 def box(x0, y0, z0, x1, y1, z1, bevel: float = 0.02, skip: str = "") -> Mesh:
-    corners = [
-        (x1 if k & 1 else x0, y1 if k & 2 else y0, z1 if k & 4 else z0) for k in range(8)
-    ]
+    corners = [(x1 if k & 1 else x0, y1 if k & 2 else y0, z1 if k & 4 else z0) for k in range(8)]
     return block(np.array(corners, float), bevel, skip)
 
 
@@ -256,16 +260,16 @@ def hewn(corners: np.ndarray, chamfer: float = 0.02) -> Mesh:
 
 
 def hewn_box(x0, y0, z0, x1, y1, z1, chamfer: float = 0.02) -> Mesh:
-    corners = [
-        (x1 if k & 1 else x0, y1 if k & 2 else y0, z1 if k & 4 else z0) for k in range(8)
-    ]
+    corners = [(x1 if k & 1 else x0, y1 if k & 2 else y0, z1 if k & 4 else z0) for k in range(8)]
     return hewn(np.array(corners, float), chamfer)
 
 
 # --------------------------------------------------------------------------- turned and swept parts
 
 
-def _profile_normals(profile: np.ndarray, crease: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _profile_normals(
+    profile: np.ndarray, crease: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Splits a profile at its creases: the points, their normals, and the start of each piece."""
     steps = np.diff(profile, axis=0)
     lengths = np.linalg.norm(steps, axis=1)

@@ -105,7 +105,9 @@ def cavities(colour: np.ndarray, height: np.ndarray, depth: float, amount: float
     return colour * (1 - amount * low)[..., None]
 
 
-def courses(rows: list[tuple[float, list[float]]], tile: float, shifts: list[float], rough, size=SIZE):
+def courses(
+    rows: list[tuple[float, list[float]]], tile: float, shifts: list[float], rough, size=SIZE
+):
     """Blocks in courses: each pixel's block number and its distance to the joint, in metres."""
     t = (np.arange(size) + 0.5) * tile / size
     x, y = np.meshgrid(t, t)
@@ -180,8 +182,8 @@ def trim():
     fine = fbm(40, 40, 4, 32)
     first, _, _ = voronoi(28, 33)
     pits = (1 - smoothstep(0.04, 0.22, first)) * smoothstep(0.5, 0.7, fbm(7, 7, 3, 34))
-    height = fine * 0.0012 + soft * 0.003 - pits * 0.002
-    tone = (soft - 0.5) * 0.14 + (fine - 0.5) * 0.09 - pits * 0.16
+    height = fine * 0.0006 + soft * 0.004 - pits * 0.0015
+    tone = (soft - 0.5) * 0.16 + (fine - 0.5) * 0.05 - pits * 0.13
     colour = mix((0.80, 0.73, 0.62), (0.76, 0.73, 0.67), fbm(4, 4, 4, 35)) * (1 + tone)[..., None]
     return colour, height
 
@@ -338,7 +340,9 @@ def iron():
     """Wrought iron, 1 m."""
     dents = fbm(14, 14, 4, 111)
     rust = smoothstep(0.55, 0.85, fbm(6, 6, 5, 112))
-    colour = mix((0.17, 0.17, 0.18), (0.30, 0.20, 0.13), rust * 0.7) * (0.75 + 0.5 * dents)[..., None]
+    colour = (
+        mix((0.17, 0.17, 0.18), (0.30, 0.20, 0.13), rust * 0.7) * (0.75 + 0.5 * dents)[..., None]
+    )
     return colour, dents * 0.006
 
 
@@ -350,7 +354,7 @@ def brass():
 
 def water():
     height = fbm(5, 5, 4, 131) * 0.035
-    return mix((0.10, 0.20, 0.24), (0.14, 0.27, 0.30), fbm(3, 3, 3, 132)), height
+    return mix((0.20, 0.36, 0.42), (0.27, 0.45, 0.48), fbm(3, 3, 3, 132)), height
 
 
 def books():
@@ -388,8 +392,10 @@ def grate():
     """An iron lattice with holes, 1 m: returns the mask as the colour's fourth channel."""
     t = (np.arange(256) + 0.5) / 256
     x, y = np.meshgrid(t, t)
+
     def bar(v, count):
         return np.abs((v * count) % 1.0 - 0.5) / count
+
     vertical, flat = bar(x, 8), bar(y, 3)
     radius = 0.017
     near = np.minimum(vertical, flat * 0.8)
@@ -433,7 +439,11 @@ def _falcon(draw: ImageDraw.ImageDraw, cx: float, cy: float, s: float, fill) -> 
     draw.polygon(outline, fill=fill)
     head = 0.115 * s
     draw.ellipse([cx - head, cy - 0.42 * s - head, cx + head, cy - 0.42 * s + head], fill=fill)
-    beak = [(cx + 0.08 * s, cy - 0.50 * s), (cx + 0.22 * s, cy - 0.42 * s), (cx + 0.07 * s, cy - 0.37 * s)]
+    beak = [
+        (cx + 0.08 * s, cy - 0.50 * s),
+        (cx + 0.22 * s, cy - 0.42 * s),
+        (cx + 0.07 * s, cy - 0.37 * s),
+    ]
     draw.polygon(beak, fill=fill)
 
 
@@ -444,8 +454,16 @@ def banner(field: tuple, ground: tuple) -> np.ndarray:
     cloth = Image.new("RGBA", (w, h), (0, 0, 0, 0))
     draw = ImageDraw.Draw(cloth)
     gold = (196, 150, 66, 255)
+
     def tail(m):
-        return [(m, m), (w - m, m), (w - m, h - 2 - 2 * m), (w / 2, h - 100 * k - m), (m, h - 2 - 2 * m)]
+        return [
+            (m, m),
+            (w - m, m),
+            (w - m, h - 2 - 2 * m),
+            (w / 2, h - 100 * k - m),
+            (m, h - 2 - 2 * m),
+        ]
+
     draw.polygon(tail(0), fill=gold)
     draw.polygon(tail(9 * k), fill=ground)
     draw.polygon(tail(14 * k), fill=gold)
@@ -457,7 +475,9 @@ def banner(field: tuple, ground: tuple) -> np.ndarray:
         draw.rectangle([34 * k, y * k, w - 34 * k, (y + 7) * k], fill=gold)
     for x in range(-2, 3):
         cx, cy = w / 2 + x * 36 * k, 362 * k
-        draw.polygon([(cx, cy - 13 * k), (cx + 11 * k, cy), (cx, cy + 13 * k), (cx - 11 * k, cy)], fill=gold)
+        draw.polygon(
+            [(cx, cy - 13 * k), (cx + 11 * k, cy), (cx, cy + 13 * k), (cx - 11 * k, cy)], fill=gold
+        )
     small = np.asarray(cloth.resize((256, 512), Image.LANCZOS), float) / 255
     weave = fbm(64, 64, 2, 161)[:, :256]
     folds = fbm(6, 1, 3, 162)[:, :256]
@@ -484,6 +504,7 @@ def stained_glass() -> np.ndarray:
             quarry = [(cx, cy - step), (cx + step / 2, cy), (cx, cy + step), (cx - step / 2, cy)]
             draw.polygon(quarry, fill=tint)
             draw.line(quarry + quarry[:1], fill=lead, width=2 * k)
+
     def ring(cx, cy, r0, r1, parts, tints):
         for part in range(parts):
             a0 = 2 * math.pi * part / parts
@@ -493,10 +514,16 @@ def stained_glass() -> np.ndarray:
             shape += [(cx + r0 * math.cos(a), cy + r0 * math.sin(a)) for a in reversed(arc)]
             draw.polygon(shape, fill=tints[part % len(tints)])
             draw.line(shape + shape[:1], fill=lead, width=3 * k)
+
     cx, cy = w / 2, 150 * k
     ring(cx, cy, 78 * k, 104 * k, 16, warms)
     ring(cx, cy, 60 * k, 78 * k, 12, [blues[3], (232, 222, 190)])
-    draw.ellipse([cx - 60 * k, cy - 60 * k, cx + 60 * k, cy + 60 * k], fill=(24, 44, 110), outline=lead, width=3 * k)
+    draw.ellipse(
+        [cx - 60 * k, cy - 60 * k, cx + 60 * k, cy + 60 * k],
+        fill=(24, 44, 110),
+        outline=lead,
+        width=3 * k,
+    )
     _falcon(draw, cx, cy, 62 * k, (236, 206, 130))
     for cy in (312, 420):
         ring(cx, cy * k, 26 * k, 46 * k, 8, [warms[cy % 4], warms[2], warms[1], blues[3]])
@@ -504,7 +531,9 @@ def stained_glass() -> np.ndarray:
     edge = 9 * k
     for y in range(0, h, 26 * k):
         for x in (0, w - edge):
-            draw.rectangle([x, y, x + edge, y + 26 * k], fill=warms[rng.randint(4)], outline=lead, width=2 * k)
+            draw.rectangle(
+                [x, y, x + edge, y + 26 * k], fill=warms[rng.randint(4)], outline=lead, width=2 * k
+            )
     for x in (85 * k, 171 * k):  # stone-like mullions in iron
         draw.rectangle([x - 2 * k, 255 * k, x + 2 * k, h], fill=lead)
     for y in range(64 * k, h, 64 * k):
@@ -523,7 +552,9 @@ def leaded_glass() -> np.ndarray:
     lead = np.minimum(np.minimum(a, 1 - a), np.minimum(b, 1 - b))
     pane = (np.floor(x * 4 + y * 2) * 7 + np.floor(x * 4 - y * 2) * 13).astype(int) % 17
     tint = np.random.RandomState(181).uniform(0.7, 1.25, 17)[pane]
-    colour = np.asarray((0.38, 0.52, 0.74)) * (tint * (0.8 + 0.4 * fbm(5, 5, 3, 182, 256)))[..., None]
+    colour = (
+        np.asarray((0.38, 0.52, 0.74)) * (tint * (0.8 + 0.4 * fbm(5, 5, 3, 182, 256)))[..., None]
+    )
     return np.clip(mix((0.02, 0.02, 0.025), colour, smoothstep(0.045, 0.085, lead)), 0, 1)
 
 
@@ -537,7 +568,20 @@ def embers() -> np.ndarray:
     first, second, number = voronoi(9, 191, 256)
     heat = fbm(6, 6, 4, 192, 256)
     glow = smoothstep(0.30, 0.02, second - first) * (0.35 + 0.8 * heat)
-    return np.clip(np.stack([glow * 1.25 + 0.10, glow**1.6 * 0.62 + 0.02, glow**3 * 0.22], axis=2), 0, 1)
+    return np.clip(
+        np.stack([glow * 1.25 + 0.10, glow**1.6 * 0.62 + 0.02, glow**3 * 0.22], axis=2), 0, 1
+    )
+
+
+def fire() -> np.ndarray:
+    """A tongue of flame from its tip (above) to its foot, wrapped around once; 128 square."""
+    size = 128
+    t = (np.arange(size) + 0.5) / size
+    x, up = np.meshgrid(t, 1 - t)
+    lick = up + (fbm(4, 3, 3, 231, size) - 0.5) * 0.35
+    colour = mix((0.30, 0.10, 0.06), (1.0, 0.86, 0.42), smoothstep(-0.05, 0.30, lick))
+    colour = mix(colour, (1.0, 0.60, 0.14), smoothstep(0.30, 0.65, lick))
+    return np.clip(mix(colour, (0.86, 0.22, 0.03), smoothstep(0.60, 1.0, lick)), 0, 1)
 
 
 def night_sky() -> np.ndarray:
@@ -584,7 +628,10 @@ def ivy() -> np.ndarray:
             angles = [(turn + a, q) for a, q in lobes] + [(turn - a, q) for a, q in reversed(lobes)]
             for ox in (-size, 0, size):
                 for oy in (-size, 0, size):
-                    at = [(cx + ox + r * q * math.cos(a), cy + oy + r * q * math.sin(a)) for a, q in angles]
+                    at = [
+                        (cx + ox + r * q * math.cos(a), cy + oy + r * q * math.sin(a))
+                        for a, q in angles
+                    ]
                     draw.polygon(at, fill=fill)
                     tip = (cx + ox + r * 0.8 * math.cos(turn), cy + oy + r * 0.8 * math.sin(turn))
                     draw.line([(cx + ox, cy + oy), tip], fill=vein, width=1)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace peregrine::geometry {
@@ -19,8 +20,19 @@ namespace {
 // outline widened by the margin.
 constexpr double kMargin = 0x1p-45;
 
+// GCC's and Clang's vectors.
+using Doubles [[gnu::vector_size(16)]] = double;
+using Longs [[gnu::vector_size(16)]] = int64_t;
+
 struct Point {
-    double at[3];
+    double at[4]; // the last is 0
+
+    Doubles load(uint32_t first) const {
+        Doubles pair;
+        std::memcpy(&pair, at + first, sizeof pair);
+        return pair;
+    }
+    void store(uint32_t first, const Doubles& pair) { std::memcpy(at + first, &pair, sizeof pair); }
 };
 
 // An outline that almost lies in a plane may be bent by rounding and cross it more than twice, at
@@ -41,37 +53,45 @@ struct Cell {
 
 struct Bounds {
     static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    double lower[3] = {kInfinity, kInfinity, kInfinity};
-    double upper[3] = {-kInfinity, -kInfinity, -kInfinity};
+    Doubles lower[2] = {{kInfinity, kInfinity}, {kInfinity, kInfinity}};
+    Doubles upper[2] = {{-kInfinity, -kInfinity}, {-kInfinity, -kInfinity}};
 
     void extend(const Point& point) {
-        for (uint32_t i = 0; i < 3; ++i) {
-            lower[i] = std::min(lower[i], point.at[i]);
-            upper[i] = std::max(upper[i], point.at[i]);
+        for (uint32_t i = 0; i < 2; ++i) {
+            const Doubles pair = point.load(2 * i);
+            lower[i] = pair < lower[i] ? pair : lower[i];
+            upper[i] = pair > upper[i] ? pair : upper[i];
         }
     }
 };
 
+constexpr Longs kIsAxis[3][2] = {{{-1, 0}, {0, 0}}, {{0, -1}, {0, 0}}, {{0, 0}, {-1, 0}}};
+
 Point cut(const Point& a, const Point& b, uint32_t axis, double plane) {
     const double t = (plane - a.at[axis]) / (b.at[axis] - a.at[axis]);
     Point point;
-    for (uint32_t i = 0; i < 3; ++i) point.at[i] = a.at[i] + t * (b.at[i] - a.at[i]);
-    point.at[axis] = plane;
+    for (uint32_t i = 0; i < 2; ++i) {
+        const Doubles from = a.load(2 * i);
+        point.store(2 * i,
+                    kIsAxis[axis][i] ? Doubles{plane, plane} : from + t * (b.load(2 * i) - from));
+    }
     return point;
+}
+
+template <bool kBelow>
+bool is_inside(const Point& point, uint32_t axis, double plane) {
+    return kBelow ? point.at[axis] <= plane : point.at[axis] >= plane;
 }
 
 // Sutherland and Hodgman 1974: hands the outline on one side of a plane to `emit`.
 template <bool kBelow, class Emit>
 void cut_polygon(const Polygon& polygon, uint32_t axis, double plane, Emit&& emit) {
-    const auto inside = [&](const Point& point) {
-        return kBelow ? point.at[axis] <= plane : point.at[axis] >= plane;
-    };
     if (polygon.count == 0) return;
     const Point* a = &polygon.vertices[polygon.count - 1];
-    bool a_inside = inside(*a);
+    bool a_inside = is_inside<kBelow>(*a, axis, plane);
     for (uint32_t i = 0; i < polygon.count; ++i) {
         const Point* b = &polygon.vertices[i];
-        const bool b_inside = inside(*b);
+        const bool b_inside = is_inside<kBelow>(*b, axis, plane);
         if (a_inside != b_inside) emit(cut(*a, *b, axis, plane));
         if (b_inside) emit(*b);
         a = b;
@@ -83,19 +103,20 @@ void cut_polygon(const Polygon& polygon, uint32_t axis, double plane, Emit&& emi
 class Outline {
 public:
     Outline(const Triangle& triangle, const Cell& cell) {
-        const math::Vec3* corners[3] = {&triangle.v0, &triangle.v1, &triangle.v2};
+        const math::Vec3* vertices[3] = {&triangle.v0, &triangle.v1, &triangle.v2};
         double largest = 0;
-        for (const math::Vec3* corner : corners) {
-            const Point point{double(corner->x), double(corner->y), double(corner->z)};
+        Bounds corners;
+        for (const math::Vec3* vertex : vertices) {
+            const Point point{{double(vertex->x), double(vertex->y), double(vertex->z), 0}};
             for (double coordinate : point.at) largest = std::max(largest, std::abs(coordinate));
             polygon_->vertices[polygon_->count++] = point;
-            corners_.extend(point);
+            corners.extend(point);
         }
         margin_ = kMargin * largest;
         for (uint32_t axis = 0; axis < 3; ++axis) {
-            if (corners_.lower[axis] < double(cell.lower[axis]))
+            if (corners.lower[axis / 2][axis % 2] < double(cell.lower[axis]))
                 keep<false>(axis, double(cell.lower[axis]) - margin_);
-            if (corners_.upper[axis] > double(cell.upper[axis]))
+            if (corners.upper[axis / 2][axis % 2] > double(cell.upper[axis]))
                 keep<true>(axis, double(cell.upper[axis]) + margin_);
         }
     }
@@ -119,6 +140,10 @@ public:
 private:
     template <bool kBelow>
     void keep(uint32_t axis, double plane) {
+        uint32_t inside = 0;
+        for (uint32_t i = 0; i < polygon_->count; ++i)
+            inside += is_inside<kBelow>(polygon_->vertices[i], axis, plane);
+        if (inside == polygon_->count) return;
         spare_->count = 0;
         cut_polygon<kBelow>(*polygon_, axis, plane,
                             [&](const Point& point) { spare_->vertices[spare_->count++] = point; });
@@ -128,7 +153,6 @@ private:
     Polygon polygons_[2];
     Polygon* polygon_ = &polygons_[0];
     Polygon* spare_ = &polygons_[1];
-    Bounds corners_;
     double margin_;
 };
 
@@ -145,13 +169,13 @@ float round_up(double value) {
 }
 
 Box widen(const Bounds& bounds, double margin) {
-    if (bounds.lower[0] > bounds.upper[0]) return {};
-    Box box;
-    for (int i = 0; i < 3; ++i) {
-        box.lower[i] = round_down(bounds.lower[i] - margin);
-        box.upper[i] = round_up(bounds.upper[i] + margin);
-    }
-    return box;
+    const Doubles* lower = bounds.lower;
+    const Doubles* upper = bounds.upper;
+    if (lower[0][0] > upper[0][0]) return {};
+    return {{round_down(lower[0][0] - margin), round_down(lower[0][1] - margin),
+             round_down(lower[1][0] - margin)},
+            {round_up(upper[0][0] + margin), round_up(upper[0][1] + margin),
+             round_up(upper[1][0] + margin)}};
 }
 
 } // namespace

@@ -45,7 +45,8 @@ void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const F
     std::atomic<uint32_t> next_tile{0};
     scheduler.for_each(worker_count, [&](uint32_t i) {
         workers[i].begin(context);
-        for (uint32_t tile; (tile = next_tile.fetch_add(1, std::memory_order_relaxed)) < tile_count;)
+        for (uint32_t tile;
+             (tile = next_tile.fetch_add(1, std::memory_order_relaxed)) < tile_count;)
             workers[i].render(context, tile);
     });
 

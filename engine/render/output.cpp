@@ -1,18 +1,15 @@
 #include "render/output.h"
 
+#include "render/display_curve.h"
 #include "render/half.h"
-#include "render/srgb.h"
 
 #include <cstring>
 
 namespace peregrine::render {
 namespace {
 
-float clamp01(float x) { return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f; }
-
-// Narkowicz, "ACES Filmic Tone Mapping Curve", 2015.
-float filmic(float x) {
-    return clamp01(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f));
+float clamp01(float x) {
+    return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
 }
 
 void map_filmic(float exposure, uint32_t count, TileColors& colors) {
@@ -20,7 +17,7 @@ void map_filmic(float exposure, uint32_t count, TileColors& colors) {
     for (float* channel : colors.channel)
         for (uint32_t i = 0; i < count; ++i) {
             const float x = channel[i] * exposure;
-            channel[i] = filmic(x < 1e9f ? x : 1e9f);
+            channel[i] = clamp01(filmic_tone(x < 1e9f ? x : 1e9f));
         }
 }
 
@@ -32,8 +29,7 @@ void map_clamp(float exposure, uint32_t count, TileColors& colors) {
 void map_nothing(float, uint32_t, TileColors&) {}
 
 template <class Pixel, class Encode>
-void write_pixels(const Frame& frame, const Tile& tile, const TileColors& colors,
-                  Encode&& encode) {
+void write_pixels(const Frame& frame, const Tile& tile, const TileColors& colors, Encode&& encode) {
     auto* first = static_cast<std::byte*>(frame.pixels) + tile.y0 * frame.row_stride
                   + tile.x0 * sizeof(Pixel);
     for (uint32_t i = 0; i < tile.count; ++i) {
@@ -54,22 +50,37 @@ struct Floats {
     float c[4];
 };
 
+// 8-bit images take their tones on the way: see DisplayCurve.
+struct Display {
+    const DisplayCurve& curve;
+    float exposure;
+
+    explicit Display(const Frame& frame)
+        : curve(frame.tone_mapping == ToneMapping::filmic ? DisplayCurve::filmic()
+                                                          : DisplayCurve::clamp()),
+          exposure(frame.tone_mapping == ToneMapping::none ? 1.0f : frame.exposure) {}
+
+    uint8_t operator()(float radiance) const { return curve.encode(radiance * exposure); }
+};
+
 void write_srgb_rgba(const Frame& frame, const Tile& tile, const TileColors& colors) {
-    const SrgbEncoder& srgb = SrgbEncoder::get();
+    const Display display(frame);
     write_pixels<Bytes>(frame, tile, colors, [&](float r, float g, float b) -> Bytes {
-        return {{srgb.encode(r), srgb.encode(g), srgb.encode(b), 255}};
+        return {{display(r), display(g), display(b), 255}};
     });
 }
 
 void write_srgb_bgra(const Frame& frame, const Tile& tile, const TileColors& colors) {
-    const SrgbEncoder& srgb = SrgbEncoder::get();
+    const Display display(frame);
     write_pixels<Bytes>(frame, tile, colors, [&](float r, float g, float b) -> Bytes {
-        return {{srgb.encode(b), srgb.encode(g), srgb.encode(r), 255}};
+        return {{display(b), display(g), display(r), 255}};
     });
 }
 
 // Debug views are display values already.
-uint8_t to_byte(float value) { return uint8_t(clamp01(value) * 255.0f + 0.5f); }
+uint8_t to_byte(float value) {
+    return uint8_t(clamp01(value) * 255.0f + 0.5f);
+}
 
 void write_plain_rgba(const Frame& frame, const Tile& tile, const TileColors& colors) {
     write_pixels<Bytes>(frame, tile, colors, [](float r, float g, float b) -> Bytes {
@@ -100,21 +111,21 @@ void write_float(const Frame& frame, const Tile& tile, const TileColors& colors)
 Output Output::choose(const Frame& frame) {
     Output output{map_nothing, write_float};
     const bool shaded = frame.view == View::shaded;
-    if (shaded && frame.tone_mapping == ToneMapping::filmic) output.map_tones = map_filmic;
-    if (shaded && frame.tone_mapping == ToneMapping::clamp) output.map_tones = map_clamp;
     switch (frame.format) {
     case PixelFormat::rgba8_srgb:
         output.write = shaded ? write_srgb_rgba : write_plain_rgba;
-        break;
+        return output;
     case PixelFormat::bgra8_srgb:
         output.write = shaded ? write_srgb_bgra : write_plain_bgra;
-        break;
+        return output;
     case PixelFormat::rgba16f:
         output.write = write_half;
         break;
     case PixelFormat::rgba32f:
         break;
     }
+    if (shaded && frame.tone_mapping == ToneMapping::filmic) output.map_tones = map_filmic;
+    if (shaded && frame.tone_mapping == ToneMapping::clamp) output.map_tones = map_clamp;
     return output;
 }
 

@@ -6,7 +6,7 @@
 // stands in for 1 / x^2. It ends at x = 1 with no step and no slope, so a light beyond its radius
 // can be dropped, and it is finite at 0. K and n are the minimax fit of log f to log 1/x^2 over x
 // in [0.1, 0.8]: f is within a factor of 1.922 of 1/x^2 there (root mean square: a factor of
-// 1.45). The shape can do no better: it meets 1/x^2 at three points (promise 4: the test measures
+// 1.59). The shape can do no better: it meets 1/x^2 at three points (promise 4: the test measures
 // it).
 namespace peregrine::shade {
 

@@ -6,6 +6,7 @@
 #define PEREGRINE_SHADE_LIGHTS_INL_H
 #endif
 
+#include "shade/compress-inl.h"
 #include "shade/kernels.h"
 #include "shade/vectors-inl.h"
 
@@ -14,10 +15,10 @@ namespace peregrine::shade::HWY_NAMESPACE {
 
 // What a light does at a point, before visibility. Lengths are in units of |to_light|.
 struct Incidence {
-    V3 to_light;   // not normalised: shadow rays end at the light with t = 1
-    Vf distance;   // |to_light|
-    Vf cosine;     // normal . to_light
-    Vf geometric;  // the same with the geometric normal
+    V3 to_light;  // not normalised: shadow rays end at the light with t = 1
+    Vf distance;  // |to_light|
+    Vf cosine;    // normal . to_light
+    Vf geometric; // the same with the geometric normal
     Mf lit;
 };
 
@@ -65,16 +66,13 @@ HWY_INLINE Vf weigh_diffuse(const Surface& surface, const PreparedLight& light, 
         const Vf x = hn::Mul(in.distance, splat(light.inverse_radius));
         const Vf rest = hn::Sub(one, x);
         above = hn::Mul(above, hn::Mul(rest, rest));
-        below = hn::Mul(hn::Mul(bb, in.distance),
-                        hn::Add(one, hn::Mul(splat(kFalloffBend), x)));
+        below = hn::Mul(hn::Mul(bb, in.distance), hn::Add(one, hn::Mul(splat(kFalloffBend), x)));
     }
     if constexpr (Type == scene::LightType::spot) {
         const Vf cosine = hn::Div(hn::Neg(dot(splat(light.direction), in.to_light)), in.distance);
-        const Vf s = hn::Min(hn::Mul(hn::Sub(cosine, splat(light.cone_outer_cos)),
-                                     splat(light.cone_scale)),
-                             one);
-        const Vf hermite =
-            hn::Mul(hn::Mul(s, s), hn::Sub(splat(3.0f), hn::Mul(splat(2.0f), s)));
+        const Vf s = hn::Min(
+            hn::Mul(hn::Sub(cosine, splat(light.cone_outer_cos)), splat(light.cone_scale)), one);
+        const Vf hermite = hn::Mul(hn::Mul(s, s), hn::Sub(splat(3.0f), hn::Mul(splat(2.0f), s)));
         above = hn::Mul(above, hermite);
     }
     in.lit = hn::And(in.lit, hn::Gt(below, splat(1e-36f))); // else the quotient is no number
@@ -85,24 +83,24 @@ HWY_INLINE Vf weigh_diffuse(const Surface& surface, const PreparedLight& light, 
 HWY_INLINE Vf weigh_lobe(const Surface& surface, uint32_t i, const Incidence& in) {
     const Vf t = dot(load(surface.mirror, i), in.to_light);
     const Vf n = hn::LoadU(kF, surface.shininess + i);
-    const Vf below =
-        hn::Sub(hn::Mul(n, in.distance), hn::Mul(hn::Sub(n, splat(1.0f)), t));
+    const Vf below = hn::Sub(hn::Mul(n, in.distance), hn::Mul(hn::Sub(n, splat(1.0f)), t));
     const Mf lit = hn::And(in.lit, hn::Gt(t, hn::Zero(kF)));
     return hn::IfThenElseZero(hn::And(lit, hn::Gt(below, hn::Zero(kF))), hn::Div(t, below));
 }
 
 HWY_INLINE uint32_t pack_rays(const Surface& surface, uint32_t i, const Incidence& in,
                               const ShadowRays& rays, uint32_t count) {
+    const Compressor lit(in.lit);
     const V3 p = load(surface.position, i);
-    hn::CompressStore(p.x, in.lit, kF, rays.origin[0] + count);
-    hn::CompressStore(p.y, in.lit, kF, rays.origin[1] + count);
-    hn::CompressStore(p.z, in.lit, kF, rays.origin[2] + count);
-    hn::CompressStore(in.to_light.x, in.lit, kF, rays.direction[0] + count);
-    hn::CompressStore(in.to_light.y, in.lit, kF, rays.direction[1] + count);
-    hn::CompressStore(in.to_light.z, in.lit, kF, rays.direction[2] + count);
-    const auto index = hn::Iota(kU, i);
-    return count
-           + uint32_t(hn::CompressStore(index, hn::RebindMask(kU, in.lit), kU, rays.index + count));
+    hn::StoreU(lit.pack(p.x), kF, rays.origin[0] + count);
+    hn::StoreU(lit.pack(p.y), kF, rays.origin[1] + count);
+    hn::StoreU(lit.pack(p.z), kF, rays.origin[2] + count);
+    hn::StoreU(lit.pack(in.to_light.x), kF, rays.direction[0] + count);
+    hn::StoreU(lit.pack(in.to_light.y), kF, rays.direction[1] + count);
+    hn::StoreU(lit.pack(in.to_light.z), kF, rays.direction[2] + count);
+    const Vf index = lit.pack(hn::BitCast(kF, hn::Iota(kU, i)));
+    hn::StoreU(hn::BitCast(kU, index), kU, rays.index + count);
+    return count + uint32_t(hn::CountTrue(kF, in.lit));
 }
 
 template <scene::LightType Type, bool Specular>

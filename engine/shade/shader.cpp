@@ -59,8 +59,7 @@ void Shader::illuminate(const PreparedLight& light, uint32_t count, Scratch& scr
 }
 
 // Takes the light away where something is in between; returns whether any is left.
-bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count,
-                           Scratch& scratch) const {
+bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count, Scratch& scratch) const {
     scratch.shadow_ray_count += ray_count;
     const bool directional = light.type == scene::LightType::directional;
     const trace::RayStream rays = {

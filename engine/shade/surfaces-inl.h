@@ -36,8 +36,7 @@ HWY_INLINE void fill(const math::Vec3& value, Run run, Surface::Lanes* out) {
 }
 
 HWY_INLINE void fill(float value, Run run, Surface::Lanes& out) {
-    for (uint32_t i = run.begin; i < run.end; i += kLanes)
-        hn::StoreU(splat(value), kF, out + i);
+    for (uint32_t i = run.begin; i < run.end; i += kLanes) hn::StoreU(splat(value), kF, out + i);
 }
 
 HWY_INLINE void find_geometry(const TriangleShading& triangle, const RayHits& hits, Run run,
@@ -66,23 +65,23 @@ HWY_INLINE void map_normals(const TriangleShading& triangle, const RayHits& hits
     const Vf handedness = splat(triangle.handedness);
     const Vf bump = splat(triangle.material->normal_scale);
     const Vf one = splat(1.0f), two = splat(2.0f);
-    sample_texture(
-        triangle.normal_map, hits.u, hits.v, run.begin, run.end, [&](uint32_t i, const V3& texel) HWY_ATTR {
-            const Weights w = weights(hits.u, hits.v, i);
-            const V3 n = normalize(load(out.normal, i), geometric);
-            const V3 raw = flip(blend(w, triangle.tangent), turn);
-            const V3 flat = subtract(raw, scale(n, dot(raw, n)));
-            const V3 t = normalize(flat, geometric);
-            const V3 b = flip(scale(cross(n, t), handedness), turn);
-            const Vf x = hn::Mul(hn::Sub(hn::Mul(texel.x, two), one), bump);
-            const Vf y = hn::Mul(hn::Sub(hn::Mul(texel.y, two), one), bump);
-            const Vf z = hn::Sub(hn::Mul(texel.z, two), one);
-            store(add(add(scale(t, x), scale(b, y)), scale(n, z)), out.normal, i);
-        });
+    sample_texture(triangle.normal_map, hits.u, hits.v, run.begin, run.end,
+                   [&](uint32_t i, const V3& texel) HWY_ATTR {
+                       const Weights w = weights(hits.u, hits.v, i);
+                       const V3 n = normalize(load(out.normal, i), geometric);
+                       const V3 raw = flip(blend(w, triangle.tangent), turn);
+                       const V3 flat = subtract(raw, scale(n, dot(raw, n)));
+                       const V3 t = normalize(flat, geometric);
+                       const V3 b = flip(scale(cross(n, t), handedness), turn);
+                       const Vf x = hn::Mul(hn::Sub(hn::Mul(texel.x, two), one), bump);
+                       const Vf y = hn::Mul(hn::Sub(hn::Mul(texel.y, two), one), bump);
+                       const Vf z = hn::Sub(hn::Mul(texel.z, two), one);
+                       store(add(add(scale(t, x), scale(b, y)), scale(n, z)), out.normal, i);
+                   });
 }
 
-HWY_INLINE void find_colors(const TriangleShading& triangle, uint32_t features,
-                            const RayHits& hits, Run run, Surface& out) {
+HWY_INLINE void find_colors(const TriangleShading& triangle, uint32_t features, const RayHits& hits,
+                            Run run, Surface& out) {
     const scene::Material& material = *triangle.material;
     const math::Vec3 base(material.base_color);
     if (triangle.base_color.texture)
@@ -130,10 +129,9 @@ HWY_INLINE void finish(uint32_t features, const RayHits& hits, Surface& out) {
     V3 lower{infinity, infinity, infinity};
     V3 upper{hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)};
     for (uint32_t i = 0; i < hits.count; i += kLanes) {
-        const auto hit = hn::And(
-            hn::RebindMask(kF, hn::Ne(hn::LoadU(kU, hits.triangle + i),
-                                      hn::Set(kU, geometry::kNoTriangle))),
-            hn::FirstN(kF, hits.count - i));
+        const auto hit = hn::And(hn::RebindMask(kF, hn::Ne(hn::LoadU(kU, hits.triangle + i),
+                                                           hn::Set(kU, geometry::kNoTriangle))),
+                                 hn::FirstN(kF, hits.count - i));
         const V3 p = load(out.position, i);
         lower = select(hit, {hn::Min(lower.x, p.x), hn::Min(lower.y, p.y), hn::Min(lower.z, p.z)},
                        lower);

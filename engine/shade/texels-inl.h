@@ -6,6 +6,8 @@
 #define PEREGRINE_SHADE_TEXELS_INL_H
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "scene/texture_sampling.h"
 #include "shade/triangle_shading.h"
 #include "shade/vectors-inl.h"
@@ -40,13 +42,17 @@ HWY_INLINE Texel load_texel(const uint16_t* t) {
 HWY_INLINE Texel mix(const Texel& a, const Texel& b, float weight) {
     return each_channel([&](int k) HWY_ATTR { return a.c[k] + (b.c[k] - a.c[k]) * weight; });
 }
-HWY_INLINE void store_texel(const Texel& t, float* out) { std::copy_n(t.c, 4, out); }
+HWY_INLINE void store_texel(const Texel& t, float* out) {
+    std::copy_n(t.c, 4, out);
+}
 #else
 using D4 = hn::FixedTag<float, 4>;
 using Texel = hn::Vec<D4>;
 inline constexpr D4 kTexel;
 
-HWY_INLINE Texel load_texel(const float* t) { return hn::LoadU(kTexel, t); }
+HWY_INLINE Texel load_texel(const float* t) {
+    return hn::LoadU(kTexel, t);
+}
 HWY_INLINE Texel load_texel(const uint16_t* t) {
     const auto fixed = hn::LoadU(hn::FixedTag<uint16_t, 4>(), t);
     return hn::ConvertTo(kTexel, hn::PromoteTo(hn::FixedTag<int32_t, 4>(), fixed));
@@ -54,7 +60,9 @@ HWY_INLINE Texel load_texel(const uint16_t* t) {
 HWY_INLINE Texel mix(Texel a, Texel b, float weight) {
     return hn::Add(a, hn::Mul(hn::Sub(b, a), hn::Set(kTexel, weight)));
 }
-HWY_INLINE void store_texel(Texel t, float* out) { hn::Store(t, kTexel, out); }
+HWY_INLINE void store_texel(Texel t, float* out) {
+    hn::Store(t, kTexel, out);
+}
 #endif
 
 HWY_INLINE Vf fold(Vf x, scene::Wrap wrap) {
@@ -137,23 +145,41 @@ HWY_INLINE void fetch_texels(const scene::Texture& texture, const TexelAddresses
     }
 }
 
+HWY_INLINE void prefetch_texels(const scene::Texture& texture, const TexelAddresses& addresses) {
+    const auto* texels = texture.texels.data();
+    const size_t size = texture.storage == scene::Texture::Storage::unorm16 ? 8 : 16;
+    const int second_row = texture.sampling == scene::Sampling::nearest ? 0 : 2;
+    for (uint32_t j = 0; j < kLanes; ++j) {
+        hwy::Prefetch(texels + size_t(uint32_t(addresses.at[0][j])) * size);
+        hwy::Prefetch(texels + size_t(uint32_t(addresses.at[second_row][j])) * size);
+    }
+}
+
 // Calls use(i, colour) for each vector i of the rays [begin, end), all of which hit the triangle.
+// Texels seldom are in the cache: each vector's are asked for while the previous one is filtered.
 template <class Use>
 HWY_INLINE void sample_texture(const TextureOnTriangle& placed, const float* u, const float* v,
                                uint32_t begin, uint32_t end, Use&& use) {
     const scene::Texture& texture = *placed.texture;
     const Vf scale_by = splat(scene::texel_scale(texture));
-    TexelAddresses addresses;
-    HWY_ALIGN float rgba[4 * HWY_LANES(float)] = {};
-    for (uint32_t i = begin; i < end; i += kLanes) {
+    TexelAddresses addresses[2];
+    HWY_ALIGN float rgba[4 * HWY_LANES(float)];
+    for (uint32_t k = 0; k < 4; ++k) hn::Store(hn::Zero(kF), kF, rgba + k * kLanes);
+    const auto address = [&](uint32_t i, TexelAddresses& out) HWY_ATTR {
         const Weights w = weights(u, v, i);
         find_texels(texture, blend(w, placed.uv[0].x, placed.uv[1].x, placed.uv[2].x),
-                    blend(w, placed.uv[0].y, placed.uv[1].y, placed.uv[2].y), addresses);
+                    blend(w, placed.uv[0].y, placed.uv[1].y, placed.uv[2].y), out);
+        prefetch_texels(texture, out);
+    };
+    address(begin, addresses[0]);
+    uint32_t current = 0;
+    for (uint32_t i = begin; i < end; i += kLanes, current ^= 1) {
+        if (i + kLanes < end) address(i + kLanes, addresses[current ^ 1]);
         const uint32_t count = std::min(end - i, kLanes);
         if (texture.storage == scene::Texture::Storage::unorm16)
-            fetch_texels<uint16_t>(texture, addresses, count, rgba);
+            fetch_texels<uint16_t>(texture, addresses[current], count, rgba);
         else
-            fetch_texels<float>(texture, addresses, count, rgba);
+            fetch_texels<float>(texture, addresses[current], count, rgba);
         Vf r, g, b, a;
         hn::LoadInterleaved4(kF, rgba, r, g, b, a);
         use(i, scale(V3{r, g, b}, scale_by));

@@ -22,7 +22,7 @@ struct TriangleShading {
     math::Vec3 tangent[3]; // if normal_map
     float handedness;      // the bitangent is this times cross(normal, tangent)
     const scene::Material* material;
-    float shininess = -1; // of the material, if specular; it and ...
+    float shininess = -1;     // of the material, if specular; it and ...
     float highlight_gain = 0; // ... highlight_gain() of it are kept from triangle to triangle
     TextureOnTriangle base_color;
     TextureOnTriangle normal_map;

@@ -30,8 +30,12 @@ struct V3 {
     Vf x, y, z;
 };
 
-HWY_INLINE Vf splat(float value) { return hn::Set(kF, value); }
-HWY_INLINE V3 splat(const math::Vec3& v) { return {splat(v.x), splat(v.y), splat(v.z)}; }
+HWY_INLINE Vf splat(float value) {
+    return hn::Set(kF, value);
+}
+HWY_INLINE V3 splat(const math::Vec3& v) {
+    return {splat(v.x), splat(v.y), splat(v.z)};
+}
 
 HWY_INLINE V3 load(const Surface::Lanes* lanes, uint32_t i) {
     return {hn::LoadU(kF, lanes[0] + i), hn::LoadU(kF, lanes[1] + i), hn::LoadU(kF, lanes[2] + i)};

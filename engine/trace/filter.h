@@ -30,14 +30,22 @@ struct Filter {
                && ignore_mesh == geometry::kNoTriangle && !alpha.present;
     }
 
+    bool sees_mesh(const geometry::Triangle& triangle) const {
+        return triangle.mesh != ignore_mesh
+               && (layer_mask == ~0u || (layer_masks[triangle.mesh] & layer_mask) != 0);
+    }
+    bool sees_front() const { return faces != Faces::back; }
+    bool sees_back(const geometry::Triangle& triangle) const {
+        return faces != Faces::front
+               && !(cull_single_sided && (triangle.flags & geometry::kSingleSided));
+    }
+    bool asks_alpha(const geometry::Triangle& triangle) const {
+        return alpha.present && (triangle.flags & geometry::kMasked);
+    }
+
     bool accepts(const geometry::Triangle& triangle, bool back_face, float u, float v) const {
-        if (back_face ? faces == Faces::front : faces == Faces::back) return false;
-        if (back_face && cull_single_sided && (triangle.flags & geometry::kSingleSided))
-            return false;
-        if (triangle.mesh == ignore_mesh) return false;
-        if (layer_mask != ~0u && !(layer_masks[triangle.mesh] & layer_mask)) return false;
-        return !(triangle.flags & geometry::kMasked) || !alpha.present
-               || alpha.present(alpha.context, triangle, u, v);
+        return (back_face ? sees_back(triangle) : sees_front()) && sees_mesh(triangle)
+               && (!asks_alpha(triangle) || alpha.present(alpha.context, triangle, u, v));
     }
 };
 

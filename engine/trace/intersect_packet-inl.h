@@ -136,20 +136,29 @@ HWY_INLINE HWY_ATTR bool intersect(const ShearedPacket& ray, const geometry::Tri
     return true;
 }
 
-// The lanes of `lanes` whose hit the filter accepts.
-HWY_INLINE HWY_ATTR Mf accepted(Mf lanes, const Filter& filter, const geometry::Triangle& triangle,
-                                const PacketHit& hit) {
+// The lanes of `lanes` whose hit is on a present part of a masked surface.
+HWY_INLINE HWY_ATTR Mf present(Mf lanes, const AlphaTest& alpha, const geometry::Triangle& triangle,
+                               const PacketHit& hit) {
     alignas(64) float u[kLanes], v[kLanes], kept[kLanes];
-    alignas(64) uint32_t back[kLanes];
     hn::Store(hit.u, kF, u);
     hn::Store(hit.v, kF, v);
-    hn::Store(hn::BitCast(kU, hit.back), kU, back);
     const uint64_t bits = lane_bits(lanes);
     for (size_t i = 0; i < kLanes; ++i) {
-        const bool keep = (bits >> i & 1) && filter.accepts(triangle, back[i] != 0, u[i], v[i]);
+        const bool keep = (bits >> i & 1) && alpha.present(alpha.context, triangle, u[i], v[i]);
         kept[i] = keep ? 1.0f : 0.0f;
     }
     return hn::Gt(hn::Load(kF, kept), hn::Zero(kF));
+}
+
+// The lanes of `lanes` whose hit the filter accepts: Filter::accepts, lane by lane.
+HWY_INLINE HWY_ATTR Mf accepted(Mf lanes, const Filter& filter, const geometry::Triangle& triangle,
+                                const PacketHit& hit) {
+    if (!filter.sees_mesh(triangle)) return hn::FirstN(kF, 0);
+    const Mf back = hn::RebindMask(kF, hn::Ne(hn::BitCast(kU, hit.back), hn::Zero(kU)));
+    if (!filter.sees_back(triangle)) lanes = hn::AndNot(back, lanes);
+    if (!filter.sees_front()) lanes = hn::And(back, lanes);
+    if (filter.asks_alpha(triangle)) lanes = present(lanes, filter.alpha, triangle, hit);
+    return lanes;
 }
 
 } // namespace peregrine::trace::HWY_NAMESPACE

@@ -14,8 +14,6 @@
 #include "trace/kernels.h"
 #include "trace/slabs.h"
 
-#include <bit>
-
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::HWY_NAMESPACE {
 
@@ -27,9 +25,10 @@ struct Packet {
     Vf margin[3];
     Vf t_min, t_max;
     Vf t_near, t_far;
-    Mf present;           // lanes that hold a ray
-    Mf fits;              // ... whose numbers fit float: fits_float()
-    uint64_t leftward[3]; // bit mask of the lanes with a negative direction
+    Mf present;              // lanes that hold a ray
+    Mf fits;                 // ... whose numbers fit float: fits_float()
+    bool mostly_leftward[3]; // most directions are negative, ...
+    bool mixed[3];           // ... but not all, or the other way round
 
     HWY_ATTR Packet(const Target& target, const RayStream& rays, uint32_t first) {
         for (int k = 0; k < 3; ++k) {
@@ -64,7 +63,11 @@ struct Packet {
                 hn::IfThenElse(hn::Lt(hn::Abs(d), smallest), hn::CopySign(smallest, d), d);
             inverse[k] = hn::Div(hn::Set(kF, 1.0f), clamped);
             margin[k] = hn::Mul(error, hn::Abs(inverse[k]));
-            leftward[k] = lane_bits(hn::Lt(inverse[k], hn::Zero(kF)));
+            const Mf leftward = hn::And(present, hn::Lt(inverse[k], hn::Zero(kF)));
+            const size_t count = hn::CountTrue(kF, leftward);
+            const size_t all = hn::CountTrue(kF, present);
+            mostly_leftward[k] = 2 * count > all;
+            mixed[k] = count != 0 && count != all;
             const Vf lower = hn::Mul(hn::Sub(hn::Set(kF, bounds.lower[k]), origin[k]), inverse[k]);
             const Vf upper = hn::Mul(hn::Sub(hn::Set(kF, bounds.upper[k]), origin[k]), inverse[k]);
             t_near = hn::Max(t_near, hn::Sub(hn::Min(lower, upper), margin[k]));
@@ -107,20 +110,17 @@ HWY_ATTR uint32_t visit_leaves(const Target& target, const Packet& packet, Mf ac
                 hn::Mul(hn::Sub(hn::Set(kF, node.split), packet.origin[k]), packet.inverse[k]);
             const Vf t_first = hn::Sub(t, packet.margin[k]);
             const Vf t_last = hn::Add(t, packet.margin[k]);
-            // Lanes may disagree on which child is near; each gets its own interval in both.
-            const uint64_t live = lane_bits(hn::Le(t_near, t_far));
-            const uint64_t leftward = packet.leftward[k] & live;
-            const bool from_right = std::popcount(leftward) * 2 > std::popcount(live);
             Vf near_begin = t_near, near_end = hn::Min(t_far, t_last);
             Vf far_begin = hn::Max(t_near, t_first), far_end = t_far;
-            if (leftward != 0 && leftward != live) {
-                const Mf reversed = hn::Lt(packet.inverse[k], hn::Zero(kF));
-                const Mf agrees = from_right ? reversed : hn::Not(reversed);
-                const Vf a = near_begin, b = near_end;
-                near_begin = hn::IfThenElse(agrees, near_begin, far_begin);
-                near_end = hn::IfThenElse(agrees, near_end, far_end);
-                far_begin = hn::IfThenElse(agrees, far_begin, a);
-                far_end = hn::IfThenElse(agrees, far_end, b);
+            const bool from_right = packet.mostly_leftward[k];
+            if (packet.mixed[k]) { // each lane gets its own interval in both children
+                const Mf leftward = hn::Lt(packet.inverse[k], hn::Zero(kF));
+                const Mf agrees = from_right ? leftward : hn::Not(leftward);
+                const Vf begin = near_begin, end = near_end;
+                near_begin = hn::IfThenElse(agrees, begin, far_begin);
+                near_end = hn::IfThenElse(agrees, end, far_end);
+                far_begin = hn::IfThenElse(agrees, far_begin, begin);
+                far_end = hn::IfThenElse(agrees, far_end, end);
             }
             const bool any_near = !hn::AllFalse(kF, hn::Le(near_begin, near_end));
             const bool any_far = !hn::AllFalse(kF, hn::Le(far_begin, far_end));

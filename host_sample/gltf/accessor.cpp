@@ -12,34 +12,46 @@ namespace {
 uint64_t component_bytes(int type) {
     switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return 1;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return 2;
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-    default: return 0;
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return 4;
+    default:
+        return 0;
     }
 }
 
 int component_count(int type) {
     switch (type) {
-    case TINYGLTF_TYPE_SCALAR: return 1;
-    case TINYGLTF_TYPE_VEC2: return 2;
-    case TINYGLTF_TYPE_VEC3: return 3;
-    case TINYGLTF_TYPE_VEC4: return 4;
-    case TINYGLTF_TYPE_MAT4: return 16;
-    default: return 0; // nothing that we read is a MAT2 or MAT3
+    case TINYGLTF_TYPE_SCALAR:
+        return 1;
+    case TINYGLTF_TYPE_VEC2:
+        return 2;
+    case TINYGLTF_TYPE_VEC3:
+        return 3;
+    case TINYGLTF_TYPE_VEC4:
+        return 4;
+    case TINYGLTF_TYPE_MAT4:
+        return 16;
+    default:
+        return 0; // nothing that we read is a MAT2 or MAT3
     }
 }
 
-template <class T> T load(const unsigned char* from) {
+template <class T>
+T load(const unsigned char* from) {
     T value;
     std::memcpy(&value, from, sizeof value); // elements need not be aligned in a hostile file
     return value;
 }
 
 // glTF 2.0, 3.6.2.2: the signed forms clamp, since -128/127 is below -1.
-template <class T> float load_integer(const unsigned char* from, bool normalized) {
+template <class T>
+float load_integer(const unsigned char* from, bool normalized) {
     const auto value = static_cast<float>(load<T>(from));
     if (!normalized) return value;
     return std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0f);
@@ -47,16 +59,19 @@ template <class T> float load_integer(const unsigned char* from, bool normalized
 
 uint32_t load_unsigned(const unsigned char* from, int type) {
     switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load<uint8_t>(from);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<uint16_t>(from);
-    default: return load<uint32_t>(from);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return load<uint8_t>(from);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return load<uint16_t>(from);
+    default:
+        return load<uint32_t>(from);
     }
 }
 
 bool is_unsigned(int type) {
     return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE
-        || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
-        || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+           || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
+           || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
 // Whether `count` elements of `size` bytes, `stride` apart, fit into `available` bytes. Written
@@ -86,106 +101,112 @@ std::span<const unsigned char> view_bytes(const tinygltf::Model& model, int buff
 }
 
 Accessor::Accessor(const tinygltf::Model& model, int index, uint64_t bytes_read)
-    : m_name("accessor " + std::to_string(index)) {
+    : name_("accessor " + std::to_string(index)) {
     if (index < 0 || static_cast<size_t>(index) >= model.accessors.size())
-        throw InputError(m_name + " is named but does not exist");
+        throw InputError(name_ + " is named but does not exist");
     const tinygltf::Accessor& accessor = model.accessors[static_cast<size_t>(index)];
-    m_count = accessor.count;
-    m_component_type = accessor.componentType;
-    m_component_bytes = component_bytes(accessor.componentType);
-    m_components = component_count(accessor.type);
-    m_normalized = accessor.normalized;
-    if (m_component_bytes == 0 || m_components == 0)
-        throw InputError(m_name + " has an unsupported type");
+    count_ = accessor.count;
+    component_type_ = accessor.componentType;
+    component_bytes_ = component_bytes(accessor.componentType);
+    components_ = component_count(accessor.type);
+    normalized_ = accessor.normalized;
+    if (component_bytes_ == 0 || components_ == 0)
+        throw InputError(name_ + " has an unsupported type");
     open_dense(model, accessor, bytes_read);
     if (accessor.sparse.isSparse) open_sparse(model, accessor);
 }
 
 void Accessor::open_dense(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
                           uint64_t bytes_read) {
-    const uint64_t element = m_component_bytes * static_cast<uint64_t>(m_components);
-    m_stride = element;
+    const uint64_t element = component_bytes_ * static_cast<uint64_t>(components_);
+    stride_ = element;
     if (accessor.bufferView < 0) {
         // Zeros cost the file nothing, so their number is bounded by what else it holds.
-        if (m_count > bytes_read)
-            throw InputError(m_name + " counts more elements than the file has bytes");
+        if (count_ > bytes_read)
+            throw InputError(name_ + " counts more elements than the file has bytes");
         return;
     }
-    const auto bytes = view_bytes(model, accessor.bufferView, m_name);
-    const size_t declared
-        = model.bufferViews[static_cast<size_t>(accessor.bufferView)].byteStride;
-    if (declared != 0) m_stride = declared;
+    const auto bytes = view_bytes(model, accessor.bufferView, name_);
+    const size_t declared = model.bufferViews[static_cast<size_t>(accessor.bufferView)].byteStride;
+    if (declared != 0) stride_ = declared;
     if (accessor.byteOffset > bytes.size()
-        || !fits(bytes.size() - accessor.byteOffset, m_count, m_stride, element))
-        throw InputError(m_name + " reaches beyond its buffer view");
-    m_data = bytes.data() + accessor.byteOffset;
+        || !fits(bytes.size() - accessor.byteOffset, count_, stride_, element))
+        throw InputError(name_ + " reaches beyond its buffer view");
+    data_ = bytes.data() + accessor.byteOffset;
 }
 
 void Accessor::open_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor) {
     const auto& sparse = accessor.sparse;
-    if (sparse.count < 0 || static_cast<uint64_t>(sparse.count) > m_count
+    if (sparse.count < 0 || static_cast<uint64_t>(sparse.count) > count_
         || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
-        throw InputError(m_name + " has a malformed sparse part");
+        throw InputError(name_ + " has a malformed sparse part");
     const auto count = static_cast<uint64_t>(sparse.count);
     const int type = sparse.indices.componentType;
-    if (!is_unsigned(type)) throw InputError(m_name + " has sparse indices of a wrong type");
+    if (!is_unsigned(type)) throw InputError(name_ + " has sparse indices of a wrong type");
 
-    const auto indices = view_bytes(model, sparse.indices.bufferView, m_name);
-    const auto values = view_bytes(model, sparse.values.bufferView, m_name);
+    const auto indices = view_bytes(model, sparse.indices.bufferView, name_);
+    const auto values = view_bytes(model, sparse.values.bufferView, name_);
     const auto indices_offset = static_cast<uint64_t>(sparse.indices.byteOffset);
     const auto values_offset = static_cast<uint64_t>(sparse.values.byteOffset);
     const uint64_t index_bytes = component_bytes(type);
-    const uint64_t element = m_component_bytes * static_cast<uint64_t>(m_components);
+    const uint64_t element = component_bytes_ * static_cast<uint64_t>(components_);
     if (indices_offset > indices.size() || values_offset > values.size()
         || !fits(indices.size() - indices_offset, count, index_bytes, index_bytes)
         || !fits(values.size() - values_offset, count, element, element))
-        throw InputError(m_name + " has a sparse part that reaches beyond its buffer view");
+        throw InputError(name_ + " has a sparse part that reaches beyond its buffer view");
 
-    m_sparse_indices.reserve(count);
+    sparse_indices_.reserve(count);
     for (uint64_t i = 0; i < count; ++i) {
-        const uint32_t index
-            = load_unsigned(indices.data() + indices_offset + i * index_bytes, type);
-        if (index >= m_count || (i > 0 && index <= m_sparse_indices.back()))
-            throw InputError(m_name + " has sparse indices out of range or order");
-        m_sparse_indices.push_back(index);
+        const uint32_t index =
+            load_unsigned(indices.data() + indices_offset + i * index_bytes, type);
+        if (index >= count_ || (i > 0 && index <= sparse_indices_.back()))
+            throw InputError(name_ + " has sparse indices out of range or order");
+        sparse_indices_.push_back(index);
     }
-    m_sparse_values = values.data() + values_offset;
+    sparse_values_ = values.data() + values_offset;
 }
 
 const unsigned char* Accessor::find_element(uint64_t element) const {
-    if (!m_sparse_indices.empty()) {
-        const auto it
-            = std::lower_bound(m_sparse_indices.begin(), m_sparse_indices.end(), element);
-        if (it != m_sparse_indices.end() && *it == element) {
-            const auto position = static_cast<uint64_t>(it - m_sparse_indices.begin());
-            return m_sparse_values
-                 + position * m_component_bytes * static_cast<uint64_t>(m_components);
+    if (!sparse_indices_.empty()) {
+        const auto it = std::lower_bound(sparse_indices_.begin(), sparse_indices_.end(), element);
+        if (it != sparse_indices_.end() && *it == element) {
+            const auto position = static_cast<uint64_t>(it - sparse_indices_.begin());
+            return sparse_values_
+                   + position * component_bytes_ * static_cast<uint64_t>(components_);
         }
     }
-    return m_data ? m_data + element * m_stride : nullptr;
+    return data_ ? data_ + element * stride_ : nullptr;
 }
 
 float Accessor::read(uint64_t element, int component) const {
-    if (component >= m_components) return 0.0f;
+    if (component >= components_) return 0.0f;
     const unsigned char* from = find_element(element);
     if (!from) return 0.0f;
-    from += static_cast<uint64_t>(component) * m_component_bytes;
-    switch (m_component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return load_integer<int8_t>(from, m_normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load_integer<uint8_t>(from, m_normalized);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return load_integer<int16_t>(from, m_normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load_integer<uint16_t>(from, m_normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return load_integer<uint32_t>(from, m_normalized);
-    default: return load<float>(from);
+    from += static_cast<uint64_t>(component) * component_bytes_;
+    switch (component_type_) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return load_integer<int8_t>(from, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return load_integer<uint8_t>(from, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return load_integer<int16_t>(from, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return load_integer<uint16_t>(from, normalized_);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return load_integer<uint32_t>(from, normalized_);
+    default:
+        return load<float>(from);
     }
 }
 
 uint32_t Accessor::read_index(uint64_t element) const {
     const unsigned char* from = find_element(element);
-    return from ? load_unsigned(from, m_component_type) : 0;
+    return from ? load_unsigned(from, component_type_) : 0;
 }
 
-bool Accessor::is_unsigned_integer() const { return is_unsigned(m_component_type); }
+bool Accessor::is_unsigned_integer() const {
+    return is_unsigned(component_type_);
+}
 
 glm::mat4 Accessor::read_mat4(uint64_t i) const {
     glm::mat4 matrix(0.0f);
@@ -195,10 +216,10 @@ glm::mat4 Accessor::read_mat4(uint64_t i) const {
 }
 
 const Accessor& Accessors::open(int index) {
-    if (index < 0 || static_cast<size_t>(index) >= m_open.size())
+    if (index < 0 || static_cast<size_t>(index) >= open_.size())
         throw InputError("accessor " + std::to_string(index) + " is named but does not exist");
-    auto& slot = m_open[static_cast<size_t>(index)];
-    if (!slot) slot = std::make_unique<Accessor>(m_model, index, m_bytes_read);
+    auto& slot = open_[static_cast<size_t>(index)];
+    if (!slot) slot = std::make_unique<Accessor>(model_, index, bytes_read_);
     return *slot;
 }
 

@@ -17,13 +17,13 @@ std::span<const unsigned char> view_bytes(const tinygltf::Model& model, int buff
 
 // One accessor whose every element is known to lie within its buffer, sparse ones included.
 class Accessor {
-  public:
+public:
     // Throws InputError if any element would lie outside.
     Accessor(const tinygltf::Model& model, int index, uint64_t bytes_read);
 
-    uint64_t count() const { return m_count; }
-    int components() const { return m_components; }
-    const std::string& name() const { return m_name; }
+    uint64_t count() const { return count_; }
+    int components() const { return components_; }
+    const std::string& name() const { return name_; }
 
     // Components that the accessor does not have read as 0. `element` must be below count().
     float read(uint64_t element, int component) const;
@@ -37,35 +37,35 @@ class Accessor {
     }
     glm::mat4 read_mat4(uint64_t i) const;
 
-  private:
+private:
     void open_dense(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
                     uint64_t bytes_read);
     void open_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor);
     const unsigned char* find_element(uint64_t element) const; // null: zeros
 
-    std::string m_name;
-    uint64_t m_count = 0;
-    uint64_t m_stride = 0, m_component_bytes = 0;
-    int m_components = 0, m_component_type = 0;
-    bool m_normalized = false;
-    const unsigned char* m_data = nullptr; // null: all zeros
-    std::vector<uint32_t> m_sparse_indices; // ascending
-    const unsigned char* m_sparse_values = nullptr;
+    std::string name_;
+    uint64_t count_ = 0;
+    uint64_t stride_ = 0, component_bytes_ = 0;
+    int components_ = 0, component_type_ = 0;
+    bool normalized_ = false;
+    const unsigned char* data_ = nullptr;  // null: all zeros
+    std::vector<uint32_t> sparse_indices_; // ascending
+    const unsigned char* sparse_values_ = nullptr;
 };
 
 // Opens each accessor once.
 class Accessors {
-  public:
+public:
     Accessors(const tinygltf::Model& model, uint64_t bytes_read)
-        : m_model(model), m_bytes_read(bytes_read), m_open(model.accessors.size()) {}
+        : model_(model), bytes_read_(bytes_read), open_(model.accessors.size()) {}
 
     // Throws InputError if there is no such accessor or it is not sound.
     const Accessor& open(int index);
 
-  private:
-    const tinygltf::Model& m_model;
-    uint64_t m_bytes_read;
-    std::vector<std::unique_ptr<Accessor>> m_open;
+private:
+    const tinygltf::Model& model_;
+    uint64_t bytes_read_;
+    std::vector<std::unique_ptr<Accessor>> open_;
 };
 
 } // namespace host::gltf

@@ -12,9 +12,9 @@ namespace host::gltf {
 
 namespace {
 
-constexpr std::array supported_extensions
-    = {"KHR_lights_punctual", "KHR_texture_transform", "KHR_mesh_quantization",
-       "KHR_materials_unlit", "KHR_materials_emissive_strength"};
+constexpr std::array supported_extensions = {"KHR_lights_punctual", "KHR_texture_transform",
+                                             "KHR_mesh_quantization", "KHR_materials_unlit",
+                                             "KHR_materials_emissive_strength"};
 
 // Images are decoded later, with checked bounds and only where a material needs them. At this
 // point tinygltf has not checked the buffer view, so its bytes must not be touched.
@@ -74,17 +74,17 @@ Document parse_document(const std::string& bytes, const std::filesystem::path& f
 
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(&keep_encoded, nullptr);
-    loader.SetFsCallbacks({&is_regular, &tinygltf::ExpandFilePath, &read_whole,
-                           &tinygltf::WriteWholeFile, nullptr});
+    loader.SetFsCallbacks(
+        {&is_regular, &tinygltf::ExpandFilePath, &read_whole, &tinygltf::WriteWholeFile, nullptr});
     Document document;
     std::string error, warning;
     const auto size = static_cast<unsigned int>(bytes.size());
-    const bool read
-        = binary ? loader.LoadBinaryFromMemory(&document.model, &error, &warning,
-                                               reinterpret_cast<const unsigned char*>(bytes.data()),
-                                               size, folder.string())
-                 : loader.LoadASCIIFromString(&document.model, &error, &warning, bytes.data(), size,
-                                              folder.string());
+    const bool read =
+        binary ? loader.LoadBinaryFromMemory(&document.model, &error, &warning,
+                                             reinterpret_cast<const unsigned char*>(bytes.data()),
+                                             size, folder.string())
+               : loader.LoadASCIIFromString(&document.model, &error, &warning, bytes.data(), size,
+                                            folder.string());
     if (!read) throw InputError(to_one_line(error.empty() ? "it is malformed" : error));
     check_required_extensions(document.model);
     document.bytes_read = bytes.size() + count_bytes(document.model);

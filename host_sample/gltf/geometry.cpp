@@ -16,7 +16,9 @@ bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-bool is_usable(const glm::vec3& v) { return is_finite(v) && glm::dot(v, v) > 0.0f; }
+bool is_usable(const glm::vec3& v) {
+    return is_finite(v) && glm::dot(v, v) > 0.0f;
+}
 
 glm::vec3 face_normal(const Primitive& primitive, size_t corner) {
     const auto at = [&](size_t i) {
@@ -80,56 +82,57 @@ uint32_t checked_material(const tinygltf::Model& model, int material) {
 }
 
 class NodeBaker {
-  public:
+public:
     NodeBaker(const tinygltf::Model& model, const NodeTree& tree, Accessors& accessors,
               Budget& budget, Level& level, Notes& notes)
-        : m_model(model), m_tree(tree), m_accessors(accessors), m_budget(budget), m_level(level),
-          m_notes(notes) {}
+        : model_(model), tree_(tree), accessors_(accessors), budget_(budget), level_(level),
+          notes_(notes) {}
 
     void bake(uint32_t node_index) {
-        const tinygltf::Node& node = m_model.nodes[node_index];
+        const tinygltf::Node& node = model_.nodes[node_index];
         if (node.mesh < 0) return;
-        if (static_cast<size_t>(node.mesh) >= m_model.meshes.size())
+        if (static_cast<size_t>(node.mesh) >= model_.meshes.size())
             throw InputError("mesh " + std::to_string(node.mesh) + " is named but does not exist");
-        const tinygltf::Mesh& source = m_model.meshes[static_cast<size_t>(node.mesh)];
-        const std::span<const double> weights = node.weights.empty() ? source.weights : node.weights;
+        const tinygltf::Mesh& source = model_.meshes[static_cast<size_t>(node.mesh)];
+        const std::span<const double> weights =
+            node.weights.empty() ? source.weights : node.weights;
         std::vector<glm::dmat4> joints;
         if (node.skin >= 0) {
-            joints = joint_matrices(m_model, m_accessors, m_tree, node.skin);
-            m_budget.spend(joints.size());
+            joints = joint_matrices(model_, accessors_, tree_, node.skin);
+            budget_.spend(joints.size());
         }
 
         // Absent normals mean flat shading, absent tangents derived ones: neither can be padded.
         std::array<Mesh, 3> groups;
         for (const tinygltf::Primitive& primitive : source.primitives)
-            add(primitive, weights, joints, m_tree.world[node_index], groups);
+            add(primitive, weights, joints, tree_.world[node_index], groups);
         for (Mesh& group : groups) {
             if (group.indices.empty()) continue;
             group.name = node.name.empty() ? source.name : node.name;
-            grow(m_level.bounds, group.positions);
-            m_level.meshes.push_back(std::move(group));
+            grow(level_.bounds, group.positions);
+            level_.meshes.push_back(std::move(group));
         }
     }
 
-  private:
+private:
     void add(const tinygltf::Primitive& source, std::span<const double> weights,
              const std::vector<glm::dmat4>& joints, const glm::dmat4& world,
              std::array<Mesh, 3>& groups) {
-        auto primitive = read_primitive(m_accessors, source, weights, m_budget, m_notes);
+        auto primitive = read_primitive(accessors_, source, weights, budget_, notes_);
         if (!primitive) return;
-        if (joints.empty() || !place_skinned(*primitive, m_accessors, source, joints))
+        if (joints.empty() || !place_skinned(*primitive, accessors_, source, joints))
             place_rigid(*primitive, world);
         repair_attributes(*primitive);
         const size_t group = primitive->normals.empty() ? 0 : primitive->tangents.empty() ? 1 : 2;
-        append_primitive(groups[group], *primitive, checked_material(m_model, source.material));
+        append_primitive(groups[group], *primitive, checked_material(model_, source.material));
     }
 
-    const tinygltf::Model& m_model;
-    const NodeTree& m_tree;
-    Accessors& m_accessors;
-    Budget& m_budget;
-    Level& m_level;
-    Notes& m_notes;
+    const tinygltf::Model& model_;
+    const NodeTree& tree_;
+    Accessors& accessors_;
+    Budget& budget_;
+    Level& level_;
+    Notes& notes_;
 };
 
 } // namespace

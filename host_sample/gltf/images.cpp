@@ -36,7 +36,7 @@ Image make_placeholder(const std::string& name) {
 bool is_png_or_jpeg(std::span<const unsigned char> bytes) {
     const unsigned char png[4] = {0x89, 'P', 'N', 'G'}, jpeg[3] = {0xff, 0xd8, 0xff};
     return bytes.size() > 8
-        && (std::memcmp(bytes.data(), png, 4) == 0 || std::memcmp(bytes.data(), jpeg, 3) == 0);
+           && (std::memcmp(bytes.data(), png, 4) == 0 || std::memcmp(bytes.data(), jpeg, 3) == 0);
 }
 
 std::span<const unsigned char> encoded_bytes(const tinygltf::Model& model,
@@ -68,25 +68,25 @@ Image decode(const std::string& name, std::span<const unsigned char> bytes, uint
 } // namespace
 
 uint32_t Images::open(int source) {
-    const auto known = m_open.find(source);
-    if (known != m_open.end()) return known->second;
+    const auto known = open_.find(source);
+    if (known != open_.end()) return known->second;
 
-    const bool exists = source >= 0 && static_cast<size_t>(source) < m_model.images.size();
+    const bool exists = source >= 0 && static_cast<size_t>(source) < model_.images.size();
     std::string name = "image " + std::to_string(source);
     Image image;
     try {
         if (!exists) throw InputError("it does not exist");
-        const tinygltf::Image& file_image = m_model.images[static_cast<size_t>(source)];
+        const tinygltf::Image& file_image = model_.images[static_cast<size_t>(source)];
         if (!file_image.name.empty()) name += " (" + file_image.name + ")";
-        image = decode(name, encoded_bytes(m_model, file_image), max_total_bytes - m_bytes);
+        image = decode(name, encoded_bytes(model_, file_image), max_total_bytes - bytes_);
     } catch (const InputError& error) {
-        m_notes.add(name + " is replaced by a magenta chequerboard: " + error.what());
+        notes_.add(name + " is replaced by a magenta chequerboard: " + error.what());
         image = make_placeholder(name);
     }
-    m_bytes = std::min(m_bytes + image.rgba.size(), max_total_bytes);
-    const auto index = static_cast<uint32_t>(m_level.images.size());
-    m_level.images.push_back(std::move(image));
-    m_open.emplace(source, index);
+    bytes_ = std::min(bytes_ + image.rgba.size(), max_total_bytes);
+    const auto index = static_cast<uint32_t>(level_.images.size());
+    level_.images.push_back(std::move(image));
+    open_.emplace(source, index);
     return index;
 }
 

@@ -31,7 +31,8 @@ Level import_document(const Document& document, const std::string& name) {
 }
 
 // tinygltf and the JSON library throw exceptions of their own for some malformed files.
-template <class Read> Level import_named(const std::string& name, const Read& read) {
+template <class Read>
+Level import_named(const std::string& name, const Read& read) {
     const auto refuse = [&](const std::string& cause) {
         return InputError("the scene file " + name + " cannot be used: " + cause);
     };

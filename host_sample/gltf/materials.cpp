@@ -27,7 +27,9 @@ float to_shininess(float roughness) {
 
 // The engine's highlight is not normalised: a wide lobe at full reflectance would flood the
 // surface with light, so rough ones fade.
-float highlight_strength(float roughness) { return 1.0f - 0.8f * std::min(roughness, 1.0f); }
+float highlight_strength(float roughness) {
+    return 1.0f - 0.8f * std::min(roughness, 1.0f);
+}
 
 void apply_metallic_roughness(const tinygltf::PbrMetallicRoughness& source, Material& material,
                               Notes& notes) {
@@ -40,8 +42,8 @@ void apply_metallic_roughness(const tinygltf::PbrMetallicRoughness& source, Mate
         roughness = fallback_roughness;
     }
     const glm::vec3 base(material.base_color);
-    material.specular = glm::mix(glm::vec3(dielectric_reflectance), base, metallic)
-                      * highlight_strength(roughness);
+    material.specular =
+        glm::mix(glm::vec3(dielectric_reflectance), base, metallic) * highlight_strength(roughness);
     material.shininess = to_shininess(roughness);
     // Not to black: there is nothing around that a metal could mirror.
     material.base_color = glm::vec4(base * (1.0f - 0.5f * metallic), material.base_color.a);
@@ -56,14 +58,14 @@ void apply_alpha(const tinygltf::Material& source, Material& material, Notes& no
 
 void apply_emission(const tinygltf::Material& source, Textures& textures, Material& material) {
     double strength = 1.0;
-    if (const auto* extension
-        = find_extension(source.extensions, "KHR_materials_emissive_strength"))
+    if (const auto* extension =
+            find_extension(source.extensions, "KHR_materials_emissive_strength"))
         strength = read_number(*extension, "emissiveStrength").value_or(1.0);
     material.emissive = read_color(source.emissiveFactor, glm::vec3(0.0f)) * to_factor(strength);
     if (material.emissive == glm::vec3(0.0f)) return; // its texture would be multiplied away
-    material.emissive_texture
-        = textures.use(source.emissiveTexture.index, source.emissiveTexture.texCoord,
-                       source.emissiveTexture.extensions, true);
+    material.emissive_texture =
+        textures.use(source.emissiveTexture.index, source.emissiveTexture.texCoord,
+                     source.emissiveTexture.extensions, true);
 }
 
 // KHR_materials_unlit: the base colour, whatever the light.
@@ -84,9 +86,9 @@ Material import_material(const tinygltf::Material& source, Textures& textures, N
     const auto& factor = pbr.baseColorFactor;
     material.base_color = glm::vec4(read_color(factor, glm::vec3(1.0f)),
                                     factor.size() > 3 ? to_factor(factor[3]) : 1.0f);
-    material.base_color_texture = textures.use(
-        pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord, pbr.baseColorTexture.extensions,
-        true);
+    material.base_color_texture =
+        textures.use(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord,
+                     pbr.baseColorTexture.extensions, true);
     apply_alpha(source, material, notes);
     if (find_extension(source.extensions, "KHR_materials_unlit")) {
         make_unlit(material);

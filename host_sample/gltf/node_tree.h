@@ -8,7 +8,7 @@
 namespace host::gltf {
 
 struct NodeTree {
-    std::vector<glm::dmat4> world;    // of every node, whether in the scene or not
+    std::vector<glm::dmat4> world;     // of every node, whether in the scene or not
     std::vector<uint32_t> scene_nodes; // those of the chosen scene, parents first
 };
 

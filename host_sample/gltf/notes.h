@@ -8,18 +8,18 @@ namespace host::gltf {
 
 // Collects each remark once.
 class Notes {
-  public:
+public:
     void add(const std::string& sentence) {
-        if (m_sentences.size() < max_sentences && m_known.insert(sentence).second)
-            m_sentences.push_back(sentence);
+        if (sentences_.size() < max_sentences && known_.insert(sentence).second)
+            sentences_.push_back(sentence);
     }
 
-    std::vector<std::string> take() { return std::move(m_sentences); }
+    std::vector<std::string> take() { return std::move(sentences_); }
 
-  private:
+private:
     static constexpr size_t max_sentences = 64;
-    std::set<std::string> m_known;
-    std::vector<std::string> m_sentences;
+    std::set<std::string> known_;
+    std::vector<std::string> sentences_;
 };
 
 } // namespace host::gltf

@@ -57,10 +57,12 @@ void add_light(const tinygltf::Light& source, const Viewpoint& place, Level& lev
     light.intensity = color * to_factor(source.intensity);
     if (light.intensity == glm::vec3(0.0f)) return;
     light.radius = to_radius(source.range, light.intensity, level.bounds.diagonal());
-    const auto angle = [](double a) { return std::isfinite(a) ? std::clamp(a, 0.0, 1.5707963) : 0.0; };
+    const auto angle = [](double a) {
+        return std::isfinite(a) ? std::clamp(a, 0.0, 1.5707963) : 0.0;
+    };
     light.cone_outer_cos = static_cast<float>(std::cos(angle(source.spot.outerConeAngle)));
-    light.cone_inner_cos = std::max(
-        static_cast<float>(std::cos(angle(source.spot.innerConeAngle))), light.cone_outer_cos);
+    light.cone_inner_cos = std::max(static_cast<float>(std::cos(angle(source.spot.innerConeAngle))),
+                                    light.cone_outer_cos);
     level.lights.push_back(light);
 }
 
@@ -94,8 +96,8 @@ void import_node(const tinygltf::Model& model, const tinygltf::Node& node, const
         notes.add("a light, camera or spawn point without a usable transform is left out");
         return;
     }
-    if (punctual) add_light(checked(model.lights, read_index(*punctual, "light"), "light"), *place,
-                            level);
+    if (punctual)
+        add_light(checked(model.lights, read_index(*punctual, "light"), "light"), *place, level);
     if (node.camera >= 0)
         add_camera(checked(model.cameras, node.camera, "camera"), *place, level, notes);
     if (spawn) level.spawns.push_back(*place);

@@ -30,14 +30,14 @@ glm::vec3 to_unit(const glm::dvec3& v) {
 }
 
 void place_vertex(Primitive& primitive, size_t i, const Transform& transform) {
-    primitive.positions[i]
-        = glm::vec3(transform.point * glm::dvec4(glm::dvec3(primitive.positions[i]), 1.0));
+    primitive.positions[i] =
+        glm::vec3(transform.point * glm::dvec4(glm::dvec3(primitive.positions[i]), 1.0));
     if (!primitive.normals.empty())
         primitive.normals[i] = to_unit(transform.normal * glm::dvec3(primitive.normals[i]));
     if (primitive.tangents.empty()) return;
     const glm::vec4 tangent = primitive.tangents[i];
-    const glm::vec3 direction
-        = to_unit(glm::dmat3(transform.point) * glm::dvec3(glm::vec3(tangent)));
+    const glm::vec3 direction =
+        to_unit(glm::dmat3(transform.point) * glm::dvec3(glm::vec3(tangent)));
     const bool left_handed = (tangent.w < 0.0f) != transform.mirrors;
     primitive.tangents[i] = glm::vec4(direction, left_handed ? -1.0f : 1.0f);
 }
@@ -113,10 +113,10 @@ std::vector<glm::dmat4> joint_matrices(const tinygltf::Model& model, Accessors& 
     matrices.reserve(source.joints.size());
     for (const int joint : source.joints) {
         if (joint < 0 || static_cast<size_t>(joint) >= tree.world.size())
-            throw InputError("skin " + std::to_string(skin) + " names node "
-                             + std::to_string(joint) + ", which does not exist");
-        const glm::dmat4 bind
-            = inverse_bind ? glm::dmat4(inverse_bind->read_mat4(matrices.size())) : glm::dmat4(1.0);
+            throw InputError("skin " + std::to_string(skin) + " names node " + std::to_string(joint)
+                             + ", which does not exist");
+        const glm::dmat4 bind =
+            inverse_bind ? glm::dmat4(inverse_bind->read_mat4(matrices.size())) : glm::dmat4(1.0);
         matrices.push_back(tree.world[static_cast<size_t>(joint)] * bind);
     }
     return matrices;

@@ -49,8 +49,8 @@ void check_buffers(const nlohmann::json& root, bool binary) {
     bool first = true;
     for (const nlohmann::json& buffer : *buffers) {
         const auto uri = buffer.is_object() ? buffer.find("uri") : buffer.end();
-        const bool has_uri
-            = buffer.is_object() && uri != buffer.end() && uri->is_string() && !uri->empty();
+        const bool has_uri =
+            buffer.is_object() && uri != buffer.end() && uri->is_string() && !uri->empty();
         if (!has_uri && !(binary && first))
             throw InputError("a buffer other than a .glb's first has no uri");
         if (has_uri && !uris.insert(uri->get<std::string>()).second)

@@ -59,8 +59,8 @@ void keep_used_vertices(Primitive& primitive) {
     primitive.vertices.erase(std::unique(primitive.vertices.begin(), primitive.vertices.end()),
                              primitive.vertices.end());
     for (uint32_t& index : primitive.indices) {
-        const auto it
-            = std::lower_bound(primitive.vertices.begin(), primitive.vertices.end(), index);
+        const auto it =
+            std::lower_bound(primitive.vertices.begin(), primitive.vertices.end(), index);
         index = static_cast<uint32_t>(it - primitive.vertices.begin());
     }
 }
@@ -86,8 +86,8 @@ void add_deltas(std::vector<T>& values, const std::vector<uint32_t>& vertices,
     }
 }
 
-void morph(Accessors& accessors, const tinygltf::Primitive& source,
-           std::span<const double> weights, uint64_t vertex_count, Primitive& primitive) {
+void morph(Accessors& accessors, const tinygltf::Primitive& source, std::span<const double> weights,
+           uint64_t vertex_count, Primitive& primitive) {
     const size_t targets = std::min(source.targets.size(), weights.size());
     for (size_t i = 0; i < targets; ++i) {
         const auto weight = static_cast<float>(weights[i]);
@@ -103,7 +103,7 @@ void morph(Accessors& accessors, const tinygltf::Primitive& source,
 
 bool is_triangles(int mode) {
     return mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP
-        || mode == TINYGLTF_MODE_TRIANGLE_FAN;
+           || mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
 } // namespace

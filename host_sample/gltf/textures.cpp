@@ -30,10 +30,9 @@ void apply_transform(const tinygltf::Value& extension, TextureUse& use) {
     const glm::dvec2 scale = read_pair(extension, "scale", glm::dvec2(1.0));
     const double angle = read_number(extension, "rotation").value_or(0.0);
     const double c = std::cos(angle), s = std::sin(angle);
-    const double matrix[6]
-        = {c * scale.x, s * scale.y, offset.x, -s * scale.x, c * scale.y, offset.y};
-    const bool finite
-        = std::all_of(matrix, matrix + 6, [](double m) { return std::abs(m) < 1e6; });
+    const double matrix[6] = {c * scale.x,  s * scale.y, offset.x,
+                              -s * scale.x, c * scale.y, offset.y};
+    const bool finite = std::all_of(matrix, matrix + 6, [](double m) { return std::abs(m) < 1e6; });
     for (int i = 0; finite && i < 6; ++i) use.transform[i] = static_cast<float>(matrix[i]);
     if (read_number(extension, "texCoord"))
         use.texcoord_set = static_cast<uint32_t>(std::max(read_index(extension, "texCoord"), 0));
@@ -45,31 +44,30 @@ TextureUse Textures::use(int texture, int texcoord_set, const tinygltf::Extensio
                          bool srgb) {
     TextureUse use;
     if (texture < 0) return use;
-    if (static_cast<size_t>(texture) >= m_model.textures.size()) {
-        m_notes.add("texture " + std::to_string(texture) + " is named but does not exist");
+    if (static_cast<size_t>(texture) >= model_.textures.size()) {
+        notes_.add("texture " + std::to_string(texture) + " is named but does not exist");
         return use;
     }
-    const tinygltf::Texture& source = m_model.textures[static_cast<size_t>(texture)];
+    const tinygltf::Texture& source = model_.textures[static_cast<size_t>(texture)];
     Texture described;
-    described.image = m_images.open(source.source);
+    described.image = images_.open(source.source);
     described.srgb = srgb;
-    apply_sampler(m_model, source.sampler, described);
+    apply_sampler(model_, source.sampler, described);
 
     use.texture = find_or_add(described);
     use.texcoord_set = static_cast<uint32_t>(std::max(texcoord_set, 0));
     if (const auto* transform = find_extension(extensions, "KHR_texture_transform"))
         apply_transform(*transform, use);
     if (use.texcoord_set > 1) {
-        m_notes.add("texture coordinate sets beyond the second are replaced by the first");
+        notes_.add("texture coordinate sets beyond the second are replaced by the first");
         use.texcoord_set = 0;
     }
     return use;
 }
 
 uint32_t Textures::find_or_add(const Texture& texture) {
-    const auto [it, added]
-        = m_known.emplace(texture, static_cast<uint32_t>(m_level.textures.size()));
-    if (added) m_level.textures.push_back(texture);
+    const auto [it, added] = known_.emplace(texture, static_cast<uint32_t>(level_.textures.size()));
+    if (added) level_.textures.push_back(texture);
     return it->second;
 }
 

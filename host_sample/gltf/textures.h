@@ -13,21 +13,21 @@ namespace host::gltf {
 // Turns a material's references to textures into TextureUse: image, sampler, colour space, UV
 // set and KHR_texture_transform.
 class Textures {
-  public:
+public:
     Textures(const tinygltf::Model& model, Level& level, Notes& notes)
-        : m_model(model), m_level(level), m_notes(notes), m_images(model, level, notes) {}
+        : model_(model), level_(level), notes_(notes), images_(model, level, notes) {}
 
     TextureUse use(int texture, int texcoord_set, const tinygltf::ExtensionMap& extensions,
                    bool srgb);
 
-  private:
+private:
     uint32_t find_or_add(const Texture& texture);
 
-    const tinygltf::Model& m_model;
-    Level& m_level;
-    Notes& m_notes;
-    Images m_images;
-    std::map<Texture, uint32_t> m_known;
+    const tinygltf::Model& model_;
+    Level& level_;
+    Notes& notes_;
+    Images images_;
+    std::map<Texture, uint32_t> known_;
 };
 
 } // namespace host::gltf

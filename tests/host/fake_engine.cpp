@@ -11,9 +11,15 @@ namespace {
 uint64_t triangles = 0;
 uint32_t lights = 0, next_handle = 1;
 
-const char* get_last_error() { return "the fake engine was asked to fail"; }
-const char* get_result_name(rt_result) { return "RT_ERROR_INTERNAL"; }
-const char* get_version_string() { return "0.0.0"; }
+const char* get_last_error() {
+    return "the fake engine was asked to fail";
+}
+const char* get_result_name(rt_result) {
+    return "RT_ERROR_INTERNAL";
+}
+const char* get_version_string() {
+    return "0.0.0";
+}
 
 rt_result create_scene(const rt_scene_desc*, rt_scene* out) {
     triangles = 0;
@@ -21,9 +27,12 @@ rt_result create_scene(const rt_scene_desc*, rt_scene* out) {
     *out = {1, 1};
     return RT_OK;
 }
-rt_result destroy_scene(rt_scene) { return RT_OK; }
+rt_result destroy_scene(rt_scene) {
+    return RT_OK;
+}
 
-template <class Desc, class Handle> rt_result add(rt_scene, const Desc*, Handle* out) {
+template <class Desc, class Handle>
+rt_result add(rt_scene, const Desc*, Handle* out) {
     *out = {next_handle++, 1};
     return RT_OK;
 }
@@ -38,11 +47,12 @@ rt_result add_light(rt_scene scene, const rt_light_desc* desc, rt_light* out) {
     return add(scene, desc, out);
 }
 
-rt_result set_environment(rt_scene, const rt_environment*) { return RT_OK; }
+rt_result set_environment(rt_scene, const rt_environment*) {
+    return RT_OK;
+}
 
 rt_result commit_scene(rt_scene, const rt_commit_desc* desc, rt_commit_report* report) {
-    if (desc->progress && desc->progress(desc->progress_user, 0.5f) != 0)
-        return RT_ERROR_CANCELLED;
+    if (desc->progress && desc->progress(desc->progress_user, 0.5f) != 0) return RT_ERROR_CANCELLED;
     report->triangle_count = triangles;
     report->light_count = lights;
     report->left_out = RT_FEATURE_NORMAL_MAPS | RT_FEATURE_DYNAMIC_MESHES;
@@ -60,13 +70,13 @@ rt_result trace_query(rt_scene, const rt_query_desc* query) {
         const float wall = distance_along(query->rays[i], 0, 5.0f);
         const bool miss = std::isinf(floor) && std::isinf(wall);
         query->hits[i] = {std::fmin(floor, wall), 0.0f, 0.0f, miss ? RT_NO_TRIANGLE : wall < floor,
-                          {miss ? 0u : 1u, 1}, 0, 0};
+                          {miss ? 0u : 1u, 1},    0,    0};
     }
     return RT_OK;
 }
 
-rt_result resolve_hits(rt_scene, const rt_hit* hits, uint64_t count, uint32_t,
-                       rt_surface* surfaces, uint32_t) {
+rt_result resolve_hits(rt_scene, const rt_hit* hits, uint64_t count, uint32_t, rt_surface* surfaces,
+                       uint32_t) {
     for (uint64_t i = 0; i < count; ++i) {
         surfaces[i] = {};
         surfaces[i].geometric_normal[hits[i].triangle == 1 ? 0 : 1] = 1.0f;

@@ -1,2 +1,4 @@
 // A library that has nothing to do with the engine.
-extern "C" int foreign_function() { return 0; }
+extern "C" int foreign_function() {
+    return 0;
+}

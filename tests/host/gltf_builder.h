@@ -13,16 +13,16 @@ using Json = nlohmann::json;
 
 // Writes small .glb files in memory.
 class GltfBuilder {
-  public:
+public:
     Json json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}};
 
-    template <class T> int add_view(const std::vector<T>& values, int stride = 0) {
-        while (m_bin.size() % 4 != 0) m_bin.push_back('\0');
-        Json view = {{"buffer", 0},
-                     {"byteOffset", m_bin.size()},
-                     {"byteLength", values.size() * sizeof(T)}};
+    template <class T>
+    int add_view(const std::vector<T>& values, int stride = 0) {
+        while (bin_.size() % 4 != 0) bin_.push_back('\0');
+        Json view = {
+            {"buffer", 0}, {"byteOffset", bin_.size()}, {"byteLength", values.size() * sizeof(T)}};
         if (stride > 0) view["byteStride"] = stride;
-        m_bin.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+        bin_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
         return push("bufferViews", view);
     }
 
@@ -59,7 +59,7 @@ class GltfBuilder {
 
     std::string glb() const {
         Json copy = json;
-        std::string bin = m_bin;
+        std::string bin = bin_;
         while (bin.size() % 4 != 0 || bin.empty()) bin.push_back('\0');
         if (!copy.contains("buffers")) copy["buffers"] = {{{"byteLength", bin.size()}}};
         std::string text = copy.dump();
@@ -79,12 +79,12 @@ class GltfBuilder {
         return glb + bin;
     }
 
-  private:
+private:
     static void append(std::string& to, uint32_t value) {
         to.append(reinterpret_cast<const char*>(&value), 4);
     }
 
-    std::string m_bin;
+    std::string bin_;
 };
 
 // Two triangles: (0,0) (1,0) (1,1) (0,1) in the plane z = 0, facing +Z.
@@ -97,13 +97,13 @@ inline GltfBuilder make_quad() {
     GltfBuilder builder;
     const int positions = builder.add_positions({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
     const int normals = builder.add_positions({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
-    const int texcoords
-        = builder.add_accessor(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, 5126, "VEC2", 2);
-    const int indices
-        = builder.add_accessor(std::vector<uint16_t>{0, 1, 2, 0, 2, 3}, 5123, "SCALAR", 1);
-    builder.show({{"attributes",
-                   {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", texcoords}}},
-                  {"indices", indices}});
+    const int texcoords =
+        builder.add_accessor(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, 5126, "VEC2", 2);
+    const int indices =
+        builder.add_accessor(std::vector<uint16_t>{0, 1, 2, 0, 2, 3}, 5123, "SCALAR", 1);
+    builder.show(
+        {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", texcoords}}},
+         {"indices", indices}});
     return builder;
 }
 

@@ -36,18 +36,20 @@ std::string cause_of(const GltfBuilder& builder) {
 GltfBuilder make_rich() {
     GltfBuilder builder = make_quad();
     Json& primitive = builder.json["meshes"][0]["primitives"][0];
-    primitive["attributes"]["JOINTS_0"]
-        = builder.add_accessor(std::vector<uint8_t>(16, 0), 5121, "VEC4", 4);
-    primitive["attributes"]["WEIGHTS_0"]
-        = builder.add_accessor(std::vector<float>(16, 0.25f), 5126, "VEC4", 4);
+    primitive["attributes"]["JOINTS_0"] =
+        builder.add_accessor(std::vector<uint8_t>(16, 0), 5121, "VEC4", 4);
+    primitive["attributes"]["WEIGHTS_0"] =
+        builder.add_accessor(std::vector<float>(16, 0.25f), 5126, "VEC4", 4);
     const int indices = builder.add_view(std::vector<uint8_t>{1, 3});
     const int values = builder.add_view(std::vector<float>{5, 6, 7, 8, 9, 10});
     const int deltas = builder.push(
-        "accessors",
-        {{"componentType", 5126}, {"type", "VEC3"}, {"count", 4},
-         {"sparse", {{"count", 2},
-                     {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
-                     {"values", {{"bufferView", values}}}}}});
+        "accessors", {{"componentType", 5126},
+                      {"type", "VEC3"},
+                      {"count", 4},
+                      {"sparse",
+                       {{"count", 2},
+                        {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                        {"values", {{"bufferView", values}}}}}});
     primitive["targets"] = {{{"POSITION", deltas}}};
     primitive["material"] = 0;
     builder.json["meshes"][0]["weights"] = {0.5};
@@ -55,7 +57,8 @@ GltfBuilder make_rich() {
     builder.json["textures"] = {{{"source", 0}}};
     builder.json["materials"] = {{{"normalTexture", {{"index", 0}}}}};
     builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
-    builder.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
+    builder.json["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
     builder.json["nodes"][0]["skin"] = 0;
     const int joint = builder.push(
         "nodes", {{"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
@@ -64,7 +67,9 @@ GltfBuilder make_rich() {
     return builder;
 }
 
-TEST(GltfHostile, TheRichFileItselfIsSound) { EXPECT_FALSE(refuses(make_rich().glb())); }
+TEST(GltfHostile, TheRichFileItselfIsSound) {
+    EXPECT_FALSE(refuses(make_rich().glb()));
+}
 
 TEST(GltfHostile, EveryTruncationIsRefused) {
     const std::string glb = make_rich().glb();
@@ -95,8 +100,8 @@ TEST(GltfHostile, FlippedBitsAreSurvived) {
 TEST(GltfHostile, SwappedNumbersAreSurvived) {
     const Json sound = make_rich().json;
     const Json flat = sound.flatten();
-    const Json poison[] = {-1, 1000000, huge, -2147483648LL, 1e308, 0.5, "text", Json::array(),
-                           Json::object(), nullptr, true, 0};
+    const Json poison[] = {-1,     1000000,       huge,           -2147483648LL, 1e308, 0.5,
+                           "text", Json::array(), Json::object(), nullptr,       true,  0};
     for (const auto& [pointer, value] : flat.items())
         for (const Json& bad : poison) {
             GltfBuilder builder = make_rich();
@@ -134,8 +139,8 @@ TEST(GltfHostile, BufferViewsBeyondTheirBuffer) {
 
 TEST(GltfHostile, IndicesOutOfRange) {
     GltfBuilder builder = make_quad();
-    builder.json["meshes"][0]["primitives"][0]["indices"]
-        = builder.add_accessor(std::vector<uint32_t>{0, 1, 4}, 5125, "SCALAR", 1);
+    builder.json["meshes"][0]["primitives"][0]["indices"] =
+        builder.add_accessor(std::vector<uint32_t>{0, 1, 4}, 5125, "SCALAR", 1);
     EXPECT_NE(cause_of(builder).find("index 4"), std::string::npos);
 }
 
@@ -200,8 +205,8 @@ TEST(GltfHostile, RequiredExtensionsAreNamed) {
 
 TEST(GltfHostile, JointsThatTheSkinLacks) {
     GltfBuilder builder = make_rich();
-    builder.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"]
-        = builder.add_accessor(std::vector<uint8_t>(16, 9), 5121, "VEC4", 4);
+    builder.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] =
+        builder.add_accessor(std::vector<uint8_t>(16, 9), 5121, "VEC4", 4);
     EXPECT_NE(cause_of(builder).find("joint 9"), std::string::npos);
 }
 

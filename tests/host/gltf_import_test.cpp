@@ -7,7 +7,9 @@
 namespace host::test {
 namespace {
 
-Level import(const GltfBuilder& builder) { return gltf::import_bytes(builder.glb(), "test"); }
+Level import(const GltfBuilder& builder) {
+    return gltf::import_bytes(builder.glb(), "test");
+}
 
 glm::vec3 winding_normal(const Mesh& mesh, size_t triangle) {
     const auto at = [&](size_t i) { return mesh.positions[mesh.indices[3 * triangle + i]]; };
@@ -44,7 +46,8 @@ TEST(GltfImport, ReadsBuffersFromDataUris) {
 TEST(GltfImport, BakesTheHierarchy) {
     GltfBuilder builder = make_quad();
     builder.json["nodes"][0]["scale"] = {2, 3, 4};
-    builder.push("nodes", {{"children", {0}}, {"translation", {10, 0, 0}},
+    builder.push("nodes", {{"children", {0}},
+                           {"translation", {10, 0, 0}},
                            {"rotation", {0, 0.70710678, 0, 0.70710678}}});
     builder.push("nodes",
                  {{"children", {1}}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 5, 0, 1}}});
@@ -111,14 +114,20 @@ TEST(GltfImport, ReadsNormalisedIntegersAndStrides) {
     // Two shorts and four bytes of something else, eight bytes apart.
     const int view = builder.add_view(
         std::vector<uint16_t>{0, 65535, 7, 7, 65535, 0, 7, 7, 13107, 0, 7, 7, 0, 0, 7, 7}, 8);
-    attributes["TEXCOORD_0"] = builder.push(
-        "accessors", {{"bufferView", view}, {"componentType", 5123}, {"type", "VEC2"}, {"count", 4},
-                      {"normalized", true}});
+    attributes["TEXCOORD_0"] = builder.push("accessors", {{"bufferView", view},
+                                                          {"componentType", 5123},
+                                                          {"type", "VEC2"},
+                                                          {"count", 4},
+                                                          {"normalized", true}});
     attributes["NORMAL"] = builder.push(
         "accessors",
-        {{"bufferView", builder.add_view(
+        {{"bufferView",
+          builder.add_view(
               std::vector<int8_t>{0, 0, 127, 0, 0, 0, 127, 0, -128, 0, 0, 0, 0, 0, 127, 0}, 4)},
-         {"componentType", 5120}, {"type", "VEC3"}, {"count", 4}, {"normalized", true}});
+         {"componentType", 5120},
+         {"type", "VEC3"},
+         {"count", 4},
+         {"normalized", true}});
     const Level level = import(builder);
     const Mesh& mesh = level.meshes.at(0);
     EXPECT_EQ(mesh.texcoords[0], glm::vec2(0, 1));
@@ -129,10 +138,11 @@ TEST(GltfImport, ReadsNormalisedIntegersAndStrides) {
 TEST(GltfImport, ReadsEveryIndexType) {
     for (const int type : {5121, 5123, 5125}) {
         GltfBuilder builder = make_quad();
-        const int indices
-            = type == 5121 ? builder.add_accessor(std::vector<uint8_t>{2, 1, 0}, type, "SCALAR", 1)
-            : type == 5123 ? builder.add_accessor(std::vector<uint16_t>{2, 1, 0}, type, "SCALAR", 1)
-                           : builder.add_accessor(std::vector<uint32_t>{2, 1, 0}, type, "SCALAR", 1);
+        const int indices =
+            type == 5121 ? builder.add_accessor(std::vector<uint8_t>{2, 1, 0}, type, "SCALAR", 1)
+            : type == 5123
+                ? builder.add_accessor(std::vector<uint16_t>{2, 1, 0}, type, "SCALAR", 1)
+                : builder.add_accessor(std::vector<uint32_t>{2, 1, 0}, type, "SCALAR", 1);
         builder.json["meshes"][0]["primitives"][0]["indices"] = indices;
         const Level level = import(builder);
         ASSERT_EQ(level.triangle_count(), 1u);
@@ -146,11 +156,13 @@ TEST(GltfImport, SparseAccessorsReplaceElementsOfZeros) {
     const int indices = builder.add_view(std::vector<uint8_t>{1, 3});
     const int values = builder.add_view(std::vector<float>{5, 6, 7, 8, 9, 10});
     attributes["POSITION"] = builder.push(
-        "accessors",
-        {{"componentType", 5126}, {"type", "VEC3"}, {"count", 4},
-         {"sparse", {{"count", 2},
-                     {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
-                     {"values", {{"bufferView", values}}}}}});
+        "accessors", {{"componentType", 5126},
+                      {"type", "VEC3"},
+                      {"count", 4},
+                      {"sparse",
+                       {{"count", 2},
+                        {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                        {"values", {{"bufferView", values}}}}}});
     const Level level = import(builder);
     const Mesh& mesh = level.meshes.at(0);
     EXPECT_EQ(mesh.positions[0], glm::vec3(0));
@@ -183,8 +195,8 @@ TEST(GltfImport, SkinsFollowTheirJointsAndNotTheirNode) {
 
 TEST(GltfImport, SharedVertexBuffersAreNotCopiedWhole) {
     GltfBuilder builder = make_quad();
-    builder.json["meshes"][0]["primitives"][0]["indices"]
-        = builder.add_accessor(std::vector<uint8_t>{3, 0, 2}, 5121, "SCALAR", 1);
+    builder.json["meshes"][0]["primitives"][0]["indices"] =
+        builder.add_accessor(std::vector<uint8_t>{3, 0, 2}, 5121, "SCALAR", 1);
     EXPECT_EQ(import(builder).meshes.at(0).positions.size(), 3u);
 }
 
@@ -214,8 +226,8 @@ TEST(GltfImport, NormalsThatAreNoneBecomeTheFaces) {
 TEST(GltfImport, PositionsThatAreNoneDoNotSpoilTheBounds) {
     GltfBuilder builder = make_quad();
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    builder.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"]
-        = builder.add_positions({nan, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+    builder.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
+        builder.add_positions({nan, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
     EXPECT_EQ(import(builder).bounds.upper, glm::dvec3(1, 1, 0));
 }
 

@@ -11,7 +11,9 @@
 namespace host::test {
 namespace {
 
-Level import(const GltfBuilder& builder) { return gltf::import_bytes(builder.glb(), "test"); }
+Level import(const GltfBuilder& builder) {
+    return gltf::import_bytes(builder.glb(), "test");
+}
 
 std::vector<uint8_t> make_png(int width, int height, int channels) {
     const std::vector<uint8_t> pixels(static_cast<size_t>(width * height * channels), 128);
@@ -28,8 +30,7 @@ std::vector<uint8_t> make_png(int width, int height, int channels) {
 
 GltfBuilder make_textured(const std::vector<uint8_t>& image, const Json& material) {
     GltfBuilder builder = make_quad();
-    builder.json["images"]
-        = {{{"bufferView", builder.add_view(image)}, {"mimeType", "image/png"}}};
+    builder.json["images"] = {{{"bufferView", builder.add_view(image)}, {"mimeType", "image/png"}}};
     builder.json["samplers"] = {{{"magFilter", 9728}, {"wrapS", 33071}, {"wrapT", 33648}}};
     builder.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
     builder.json["materials"] = {material};
@@ -84,9 +85,11 @@ TEST(GltfLook, AnImageThatUnfoldsToAGigabyteIsNotDecoded) {
 
 TEST(GltfLook, TextureTransforms) {
     Json material = base_texture;
-    material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"]
-        = {{"offset", {0.5, 0.25}}, {"rotation", 1.5707963267948966}, {"scale", {2, 3}},
-           {"texCoord", 1}};
+    material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
+        {"offset", {0.5, 0.25}},
+        {"rotation", 1.5707963267948966},
+        {"scale", {2, 3}},
+        {"texCoord", 1}};
     const Level level = import(make_textured(make_png(2, 2, 3), material));
     const TextureUse& use = level.materials[0].base_color_texture;
     EXPECT_EQ(use.texcoord_set, 1u);
@@ -109,11 +112,11 @@ TEST(GltfLook, AlphaModes) {
 
 TEST(GltfLook, UnlitAndEmissiveStrength) {
     GltfBuilder builder = make_quad();
-    builder.json["materials"]
-        = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 1}}}},
-            {"extensions", {{"KHR_materials_unlit", Json::object()}}}},
-           {{"emissiveFactor", {1, 0.5, 0}},
-            {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}}};
+    builder.json["materials"] = {
+        {{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 1}}}},
+         {"extensions", {{"KHR_materials_unlit", Json::object()}}}},
+        {{"emissiveFactor", {1, 0.5, 0}},
+         {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}}};
     const Level level = import(builder);
     EXPECT_EQ(level.materials[0].emissive, glm::vec3(0.5f, 0.25f, 1.0f));
     EXPECT_EQ(glm::vec3(level.materials[0].base_color), glm::vec3(0.0f));
@@ -122,13 +125,16 @@ TEST(GltfLook, UnlitAndEmissiveStrength) {
 
 TEST(GltfLook, LightsCamerasAndSpawns) {
     GltfBuilder builder = make_quad();
-    builder.json["extensions"]["KHR_lights_punctual"]["lights"]
-        = {{{"type", "point"}, {"intensity", 0.02}},
-           {{"type", "spot"}, {"intensity", 10}, {"range", 4}, {"color", {1, 0.5, 0}},
-            {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.5}}}},
-           {{"type", "directional"}}};
-    builder.json["cameras"]
-        = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}}};
+    builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "point"}, {"intensity", 0.02}},
+        {{"type", "spot"},
+         {"intensity", 10},
+         {"range", 4},
+         {"color", {1, 0.5, 0}},
+         {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.5}}}},
+        {{"type", "directional"}}};
+    builder.json["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}}};
     for (int i = 0; i < 3; ++i)
         builder.push("nodes", {{"extensions", {{"KHR_lights_punctual", {{"light", i}}}}},
                                {"translation", {i, 2, 0}}});
@@ -152,9 +158,9 @@ TEST(GltfLook, LightsCamerasAndSpawns) {
 
 TEST(GltfLook, MetalsAreDarkAndShiny) {
     GltfBuilder builder = make_quad();
-    builder.json["materials"]
-        = {{{"pbrMetallicRoughness", {{"metallicFactor", 1}, {"roughnessFactor", 0.2}}}},
-           {{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}}};
+    builder.json["materials"] = {
+        {{"pbrMetallicRoughness", {{"metallicFactor", 1}, {"roughnessFactor", 0.2}}}},
+        {{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}}};
     const Level level = import(builder);
     EXPECT_GT(level.materials[0].specular.r, level.materials[1].specular.r);
     EXPECT_GT(level.materials[0].shininess, level.materials[1].shininess);

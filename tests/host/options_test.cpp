@@ -16,7 +16,7 @@ ParsedOptions parse(std::initializer_list<const char*> arguments) {
 }
 
 class OptionsTest : public testing::Test {
-  protected:
+protected:
     void SetUp() override { unsetenv("PEREGRINE_ISA"); }
 };
 
@@ -43,26 +43,26 @@ TEST_F(OptionsTest, ReadsValues) {
 }
 
 TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
-    for (const auto& arguments : std::initializer_list<std::initializer_list<const char*>>{
-             {"--size", "64"},
-             {"--size", "0x64"},
-             {"--size", "-1x64"},
-             {"--size", "64x99999"},
-             {"--size", "64x64x"},
-             {"--frames", "0"},
-             {"--frames", "many"},
-             {"--view", "x-ray"},
-             {"--isa", "mmx"},
-             {"--threads", "0"},
-             {"--threads", "1000"},
-             {"--exposure", "0"},
-             {"--exposure", "nan"},
-             {"--ambient", "-1"},
-             {"--scale", "2"},
-             {"--out", "a.png"},
-             {"--scene"},
-             {"--what"},
-             {"stray"}}) {
+    for (const auto& arguments :
+         std::initializer_list<std::initializer_list<const char*>>{{"--size", "64"},
+                                                                   {"--size", "0x64"},
+                                                                   {"--size", "-1x64"},
+                                                                   {"--size", "64x99999"},
+                                                                   {"--size", "64x64x"},
+                                                                   {"--frames", "0"},
+                                                                   {"--frames", "many"},
+                                                                   {"--view", "x-ray"},
+                                                                   {"--isa", "mmx"},
+                                                                   {"--threads", "0"},
+                                                                   {"--threads", "1000"},
+                                                                   {"--exposure", "0"},
+                                                                   {"--exposure", "nan"},
+                                                                   {"--ambient", "-1"},
+                                                                   {"--scale", "2"},
+                                                                   {"--out", "a.png"},
+                                                                   {"--scene"},
+                                                                   {"--what"},
+                                                                   {"stray"}}) {
         const auto parsed = parse(arguments);
         EXPECT_FALSE(parsed.options) << *arguments.begin();
         EXPECT_EQ(parsed.exit_status, 2);

@@ -19,8 +19,8 @@ Viewpoint stop(const char* name, double x, glm::vec3 forward) {
 }
 
 TEST(Cameras, AreFoundByNameOrIndex) {
-    const std::vector<Viewpoint> cameras
-        = {stop("a", 0, {0, 0, -1}), stop("b", 1, {0, 0, -1}), stop("0", 2, {0, 0, -1})};
+    const std::vector<Viewpoint> cameras = {stop("a", 0, {0, 0, -1}), stop("b", 1, {0, 0, -1}),
+                                            stop("0", 2, {0, 0, -1})};
     EXPECT_EQ(find_camera(cameras, ""), 0u);
     EXPECT_EQ(find_camera(cameras, "b"), 1u);
     EXPECT_EQ(find_camera(cameras, "2"), 2u);
@@ -40,8 +40,8 @@ TEST(Cameras, WithoutAnyTheBoundsAreFramed) {
 
 TEST(Flight, PassesThroughItsStops) {
     const Flight flight(
-        {stop("a", 0, {0, 0, -1}), stop("b", 1, {1, 0, 0}), stop("c", 4, {0, 0, 1})},
-        glm::dvec3(0), false);
+        {stop("a", 0, {0, 0, -1}), stop("b", 1, {1, 0, 0}), stop("c", 4, {0, 0, 1})}, glm::dvec3(0),
+        false);
     EXPECT_NEAR(flight.at(0.0).position.x, 0.0, 1e-9);
     EXPECT_NEAR(flight.at(0.5).position.x, 1.0, 1e-9);
     EXPECT_NEAR(flight.at(0.5).forward.x, 1.0f, 1e-5f);

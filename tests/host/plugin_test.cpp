@@ -50,7 +50,7 @@ TEST(Plugin, SaysWhatIsWrong) {
 }
 
 class HostOnFakeEngine : public testing::Test {
-  protected:
+protected:
     HostOnFakeEngine() : plugin(FAKE_ENGINE), stage(plugin.api(), 1, RT_ISA_BEST) {
         level = gltf::import_bytes(make_quad().glb(), "quad");
         level.lights.push_back(default_light());
@@ -65,7 +65,7 @@ class HostOnFakeEngine : public testing::Test {
     Session open() {
         upload_level(stage, level, 0.1f);
         return Session{options, level, usable_cameras(level), 0, stage, stage.commit(nullptr), {},
-                       0, 0};
+                       0,       0};
     }
 
     Plugin plugin;
@@ -111,9 +111,9 @@ TEST_F(HostOnFakeEngine, DescribesItsStats) {
     EXPECT_EQ(stats["rays"]["primary"], 128.0);
     EXPECT_EQ(stats["isa"], "scalar");
     EXPECT_EQ(stats["left_out"], nlohmann::json({"normal_maps", "dynamic_meshes"}));
-    for (const char* key : {"frame_ms_median", "frame_ms_worst", "mrays_per_s", "build_ms",
-                            "commit_ms", "bytes", "degenerate", "non_finite", "threads", "scene",
-                            "camera", "tree"})
+    for (const char* key :
+         {"frame_ms_median", "frame_ms_worst", "mrays_per_s", "build_ms", "commit_ms", "bytes",
+          "degenerate", "non_finite", "threads", "scene", "camera", "tree"})
         EXPECT_TRUE(stats.contains(key)) << key;
 }
 

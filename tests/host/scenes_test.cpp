@@ -24,7 +24,7 @@ bool is_scene(const fs::path& path) {
 }
 
 class Scenes : public testing::Test {
-  protected:
+protected:
     void SetUp() override {
         if (!fs::is_directory(scenes_folder()))
             GTEST_SKIP() << "there is no folder of scenes: set PEREGRINE_SCENES to one";
@@ -56,7 +56,8 @@ TEST_F(Scenes, AgreeWithTheirDescriptions) {
         EXPECT_EQ(level.cameras.size(), facts["cameras"].size());
         const size_t suns = facts.contains("suns") ? facts["suns"].size() : 0;
         EXPECT_EQ(level.lights.size(), facts["lights"].size() + suns);
-        if (facts.contains("spawns")) EXPECT_EQ(level.spawns.size(), facts["spawns"].size());
+        const size_t spawns = facts.contains("spawns") ? facts["spawns"].size() : 0;
+        EXPECT_EQ(level.spawns.size(), spawns);
         for (size_t axis = 0; axis < 3; ++axis) {
             const int a = static_cast<int>(axis);
             EXPECT_NEAR(level.bounds.lower[a], facts["bounds"][0][axis].get<double>(), 1e-3);

@@ -41,10 +41,26 @@ std::vector<std::string> scene_names() {
     return names;
 }
 
+namespace {
+
+std::string path_of(const std::string& name) {
+    return name == "hall" ? std::string(PEREGRINE_SOURCE_DIR) + "/content/hall.glb"
+                          : scenes_folder() + "/" + name + ".glb";
+}
+
+} // namespace
+
+std::vector<std::string> scene_files() {
+    std::vector<std::string> files{path_of("hall")};
+    for (const std::string& name : scene_names()) files.push_back(path_of(name));
+    return files;
+}
+
 SceneFile load_scene(const std::string& name) {
-    const std::string path = name == "hall"
-                                 ? std::string(PEREGRINE_SOURCE_DIR) + "/content/hall.glb"
-                                 : scenes_folder() + "/" + name + ".glb";
+    return load_file(path_of(name));
+}
+
+SceneFile load_file(const std::string& path) {
     const host::Level level = host::gltf::import_file(path);
     SceneFile scene;
     for (const host::Mesh& mesh : level.meshes) {

@@ -51,6 +51,10 @@ std::string scenes_folder();
 // The .glb files there, by name without ending.
 std::vector<std::string> scene_names();
 SceneFile load_scene(const std::string& name);
+SceneFile load_file(const std::string& path);
+
+// Our hall and the .glb files there, as paths.
+std::vector<std::string> scene_files();
 
 // How many rays a set gets: $PEREGRINE_RAYS, or this default.
 size_t rays_per_set(size_t otherwise);

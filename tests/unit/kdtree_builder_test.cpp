@@ -241,6 +241,15 @@ TEST(KdTreeBuilder, GeometricSeries) {
     expect_good(series(3000), 0);
 }
 
+// Each crosses most others: the heuristic alone would go on for hundreds of references each.
+TEST(KdTreeBuilder, MemoryStaysBounded) {
+    const Triangles triangles = Random(14).soup(5000, 32768);
+    const Tree tree = build_with(triangles, 2);
+    Checker(tree, triangles).check_structure();
+    EXPECT_LE(tree.references.size(), 64 * triangles.size());
+    EXPECT_LE(tree.nodes.size(), 128 * triangles.size());
+}
+
 TEST(KdTreeBuilder, EmptyBonusKeepsCoverage) {
     BuildOptions options;
     options.empty_bonus = 0.5f;

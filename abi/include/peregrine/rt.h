@@ -22,9 +22,8 @@
  * Errors: every call that can fail returns an rt_result. RT_OK is 0. After anything else, the
  * state is as it was before the call, no output was written, and rt_get_last_error() gives this
  * thread's sentence about the cause. The library throws nothing, prints nothing, installs no
- * signal handler, leaves the floating-point environment alone and expects the default one
- * (round to nearest; denormals may be flushed or not, the answers do not change: see
- * docs/exact.md).
+ * signal handler and leaves the floating-point environment alone; it expects the default one (round to
+ * nearest, denormals not flushed).
  *
  * Versions: a struct that begins with struct_size may grow at its end. The rt_default_* functions
  * below fill in the size that your program was compiled with; fields that your header does not
@@ -298,7 +297,7 @@ typedef struct rt_mesh_desc {
     rt_array texcoords1;  /* float[2], the second set */
     rt_array indices;     /* single indices, three a triangle */
     rt_array materials;   /* rt_material, one a triangle: optional */
-    rt_material material; /* of triangles without one; null: a white default */
+    rt_material material; /* of triangles without one; null: white, double-sided */
     uint32_t layer_mask;  /* queries see the mesh when (layer_mask & query mask) != 0 */
     uint32_t reserved;    /* 0 */
     uint64_t user_data;   /* handed back by rt_resolve_hits */

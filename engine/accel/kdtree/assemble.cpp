@@ -25,7 +25,7 @@ public:
         const uint32_t pair = next_node_;
         next_node_ += 2;
         tree_.nodes[slot] = Node::inner(node.split.axis, node.split.position, pair);
-        statistics_.add_inner(model_, node.cell);
+        statistics_.add_inner(model_, node.place.cell);
         place(node.left_child, pair);
         place(node.left_child + 1, pair + 1);
     }

@@ -47,7 +47,7 @@ base::Vector<Subtree> build_subtrees(const Task& task, base::Vector<TopNode>& to
         TopNode& root = top[order[i]];
         BuilderPool::Lease builder(pool);
         const uint32_t triangles = root.lists.triangles;
-        builder->build(std::move(root.lists), root.cell, root.depth, subtrees[order[i]]);
+        builder->build(std::move(root.lists), root.place, subtrees[order[i]]);
         task.control.finish(triangles);
     });
     task.control.throw_if_cancelled();

@@ -36,24 +36,29 @@ void Partition::classify() {
     const uint32_t right = left_moves_ ? kStays : kMoves;
     for (uint32_t i = 0; i < split_.boundary; ++i)
         map[index(events[i])] = type(events[i]) == kStart ? uint32_t(kStraddles) : left;
-    for (uint32_t i = split_.boundary; i < count; ++i)
-        if (type(events[i]) != kEnd) map[index(events[i])] = right;
+    for (uint32_t i = split_.boundary; i < count; ++i) {
+        uint32_t& side = map[index(events[i])];
+        side = type(events[i]) == kEnd ? side : right;
+    }
 
     uint32_t* ids = stays_.ids;
     uint32_t* moved_ids = moves_.ids;
     uint32_t* straddlers = straddlers_.data();
-    uint32_t next[3] = {0, 0, 0};
+    uint32_t staying = 0, moving = 0, straddling = 0;
     for (uint32_t i = 0; i < stays_.triangles; ++i) {
         const uint32_t side = map[i];
         const uint32_t id = ids[i];
-        map[i] = side << kIndexBits | next[side];
-        ids[next[kStays]] = id;
-        moved_ids[next[kMoves]] = id;
-        straddlers[next[kStraddles]] = id;
-        ++next[side];
+        const uint32_t place = side == kStays ? staying : side == kMoves ? moving : straddling;
+        map[i] = side << kIndexBits | place;
+        ids[staying] = id;
+        moved_ids[moving] = id;
+        straddlers[straddling] = id;
+        staying += side == kStays;
+        moving += side == kMoves;
+        straddling += side == kStraddles;
     }
-    stays_.triangles = next[kStays];
-    moves_.triangles = next[kMoves];
+    stays_.triangles = staying;
+    moves_.triangles = moving;
 }
 
 // Section 4.2.2, without branches: three writes, of which one is kept.

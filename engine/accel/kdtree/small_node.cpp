@@ -13,17 +13,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // GCC's and Clang's vectors: the loops are too short to be left to their vectorizers.
 using Floats [[gnu::vector_size(16)]] = float;
 using Ints [[gnu::vector_size(16)]] = int32_t;
-using HalfFloats [[gnu::vector_size(8)]] = float;
-using HalfInts [[gnu::vector_size(8)]] = int32_t;
 using Doubles [[gnu::vector_size(16)]] = double;
 
 constexpr uint32_t kLanes = 4;
 constexpr uint32_t kMaxPlanes = 2 * SmallNode::kCapacity;
 static_assert(kMaxPlanes % kLanes == 0);
 
-template <class Vector, class Scalar>
-Vector load(const Scalar* from) {
-    Vector vector;
+Floats load(const float* from) {
+    Floats vector;
     std::memcpy(&vector, from, sizeof vector);
     return vector;
 }
@@ -35,31 +32,36 @@ Doubles minimum(const Doubles& a, const Doubles& b) {
 // The planes of one axis with their costs.
 struct Candidates {
     uint32_t count; // a multiple of kLanes
-    float planes[kMaxPlanes];
+    float planes[kMaxPlanes + kLanes];
     double least[kMaxPlanes];
     double planar_right[kMaxPlanes]; // costs if the triangles in the plane go to the right
 };
 
-// Fills up with planes on the cell's border, which do not count.
-void list_planes(const SmallNode& node, float border, uint32_t axis, Candidates& candidates) {
+// Those strictly inside the cell; fills up with copies.
+void list_planes(const SmallNode& node, const math::Box& cell, uint32_t axis,
+                 Candidates& candidates) {
+    const float lower = cell.lower[int(axis)];
+    const float upper = cell.upper[int(axis)];
     uint32_t count = 0;
+    const auto add = [&](float plane) {
+        candidates.planes[count] = plane;
+        count += uint32_t(plane > lower) & uint32_t(plane < upper);
+    };
     for (uint32_t i = 0; i < node.count; ++i) {
-        candidates.planes[count++] = node.lower[axis][i];
-        candidates.planes[count++] = node.upper[axis][i];
+        add(node.lower[axis][i]);
+        add(node.upper[axis][i]);
     }
-    while (count % kLanes != 0) candidates.planes[count++] = border;
-    candidates.count = count;
+    for (uint32_t i = 1; i < kLanes; ++i) candidates.planes[count + i - 1] = candidates.planes[0];
+    candidates.count = (count + kLanes - 1) / kLanes * kLanes;
 }
 
-// How many triangles each child gets, with and without those that lie in the plane.
+// How many triangles reach to either side of the planes, and how many lie in them.
 struct Counts {
     Ints left{};
     Ints right{};
-    Ints left_and_planar;
-    Ints right_and_planar;
+    Ints planar{};
 
     Counts(const SmallNode& node, uint32_t axis, const Floats& planes) {
-        Ints planar{};
         for (uint32_t i = 0; i < node.count; ++i) {
             const Ints reaches_left = node.lower[axis][i] < planes;
             const Ints reaches_right = node.upper[axis][i] > planes;
@@ -67,41 +69,41 @@ struct Counts {
             right -= reaches_right;
             planar -= ~(reaches_left | reaches_right);
         }
-        left_and_planar = left + planar;
-        right_and_planar = right + planar;
     }
+
+    bool any_planar() const { return (planar[0] | planar[1] | planar[2] | planar[3]) != 0; }
 };
 
-Doubles half(const Ints& vector, uint32_t first) {
-    return __builtin_convertvector(
-        load<HalfInts>(reinterpret_cast<const int32_t*>(&vector) + first), Doubles);
+// The lower or the upper half of a vector.
+template <class Vector>
+Doubles half(const Vector& vector, bool upper) {
+    return upper ? __builtin_convertvector(__builtin_shufflevector(vector, vector, 2, 3), Doubles)
+                 : __builtin_convertvector(__builtin_shufflevector(vector, vector, 0, 1), Doubles);
 }
 
 Doubles total_cost(const PlaneCost& cost, const Doubles& plane, const Doubles& left,
                    const Doubles& right) {
     const Doubles total = cost.node(cost.children(plane, left, right));
     if (!cost.has_bonus()) return total;
-    return (left == 0.0) | (right == 0.0) ? total * cost.empty_factor() : total;
+    return ((left == 0.0) | (right == 0.0)) ? total * cost.empty_factor() : total;
 }
 
-double find_costs(const SmallNode& node, const math::Box& cell, const PlaneCost& cost,
-                  uint32_t axis, Candidates& candidates) {
-    const double lower = double(cell.lower[int(axis)]);
-    const double upper = double(cell.upper[int(axis)]);
-    const Doubles infinity = {kInfinity, kInfinity};
-    Doubles least = infinity;
-    list_planes(node, cell.lower[int(axis)], axis, candidates);
+double find_costs(const SmallNode& node, const PlaneCost& cost, uint32_t axis,
+                  Candidates& candidates) {
+    Doubles least = {kInfinity, kInfinity};
     for (uint32_t first = 0; first < candidates.count; first += kLanes) {
-        const Counts counts(node, axis, load<Floats>(candidates.planes + first));
+        const Floats planes = load(candidates.planes + first);
+        const Counts counts(node, axis, planes);
+        const bool any_planar = counts.any_planar();
         for (uint32_t k = 0; k < kLanes; k += 2) {
-            const Doubles plane =
-                __builtin_convertvector(load<HalfFloats>(candidates.planes + first + k), Doubles);
-            const Doubles planar_left =
-                total_cost(cost, plane, half(counts.left_and_planar, k), half(counts.right, k));
-            const Doubles planar_right =
-                total_cost(cost, plane, half(counts.left, k), half(counts.right_and_planar, k));
+            const Doubles plane = half(planes, k > 0);
+            const Doubles left = half(counts.left, k > 0);
+            const Doubles right = half(counts.right, k > 0);
+            const Doubles planar = half(counts.planar, k > 0);
+            const Doubles planar_right = total_cost(cost, plane, left, right + planar);
             const Doubles best =
-                (plane > lower) & (plane < upper) ? minimum(planar_left, planar_right) : infinity;
+                any_planar ? minimum(planar_right, total_cost(cost, plane, left + planar, right))
+                           : planar_right;
             least = minimum(least, best);
             std::memcpy(candidates.least + first + k, &best, sizeof best);
             std::memcpy(candidates.planar_right + first + k, &planar_right, sizeof planar_right);
@@ -122,9 +124,9 @@ void locate(const Candidates& candidates, SmallSplit& split) {
 
 enum Sides : uint32_t { kLeft = 1, kRight = 2 };
 
-uint32_t sides(float lower, float upper, const SmallSplit& split) {
-    const uint32_t sides =
-        (lower < split.position ? kLeft : 0u) | (upper > split.position ? kRight : 0u);
+uint32_t sides(const SmallNode& node, uint32_t i, const SmallSplit& split) {
+    const uint32_t sides = (node.lower[split.axis][i] < split.position ? kLeft : 0u)
+                           | (node.upper[split.axis][i] > split.position ? kRight : 0u);
     return sides != 0 ? sides : split.planar_left ? uint32_t(kLeft) : uint32_t(kRight);
 }
 
@@ -134,14 +136,21 @@ SmallSplit find_small_split(const SmallNode& node, const math::Box& cell, const 
                             double limit) {
     Candidates candidates[3];
     SmallSplit split;
+    for (uint32_t axis = 0; axis < 3; ++axis) list_planes(node, cell, axis, candidates[axis]);
     for (uint32_t axis = 0; axis < 3; ++axis) {
         const PlaneCost cost(model, cell, axis);
-        const double least = find_costs(node, cell, cost, axis, candidates[axis]);
+        const double least = find_costs(node, cost, axis, candidates[axis]);
         if (least >= split.cost) continue;
         split.cost = least;
         split.axis = axis;
     }
-    if (split.cost < limit) locate(candidates[split.axis], split);
+    if (split.cost >= limit) return split;
+    locate(candidates[split.axis], split);
+    for (uint32_t i = 0; i < node.count; ++i) {
+        const uint32_t to = sides(node, i, split);
+        split.left += (to & kLeft) != 0;
+        split.right += (to & kRight) != 0;
+    }
     return split;
 }
 
@@ -154,7 +163,7 @@ void split_small_node(const SmallNode& node, const geometry::Triangle* triangles
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t id = node.ids[i];
         const math::Box box = node.box(i);
-        const uint32_t to = sides(node.lower[split.axis][i], node.upper[split.axis][i], split);
+        const uint32_t to = sides(node, i, split);
         if (to == (kLeft | kRight)) {
             const geometry::ClippedHalves halves =
                 geometry::clip_to_halves(triangles[id], cell, split.axis, split.position, box);

@@ -37,6 +37,8 @@ struct SmallSplit {
     float position = 0;
     uint32_t axis = 0;
     bool planar_left = false; // triangles in the plane go to the left child
+    uint32_t left = 0;        // triangles; straddlers count on both sides
+    uint32_t right = 0;
 };
 
 // `cost` is all that is set if the split costs `limit` or more.

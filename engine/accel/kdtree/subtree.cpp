@@ -11,15 +11,14 @@ constexpr uint32_t kTrianglesToAsk = 4096;
 
 } // namespace
 
-void SubtreeBuilder::build(OwnedLists lists, const math::Box& cell, uint32_t depth,
-                           Subtree& result) {
+void SubtreeBuilder::build(OwnedLists lists, const Place& place, Subtree& result) {
     nodes_.clear();
     references_.clear();
     statistics_ = {};
     Range range{};
     load(std::move(lists), range);
     nodes_.emplace_back();
-    build_node(range, {0, depth, cell});
+    build_node(range, place, 0);
     result.nodes.assign(nodes_.begin(), nodes_.end());
     result.references.assign(references_.begin(), references_.end());
     result.statistics = statistics_;
@@ -37,45 +36,49 @@ void SubtreeBuilder::load(OwnedLists lists, Range& range) {
 }
 
 // Recurses to the left and goes on to the right, so that nodes come out depth-first.
-void SubtreeBuilder::build_node(Range range, Place place) {
-    const uint32_t* ids = nullptr;
+void SubtreeBuilder::build_node(Range range, Place place, uint32_t node) {
     for (;;) {
         if (range.triangles >= kTrianglesToAsk && task_.control.cancelled()) return;
         if (range.triangles <= SmallNode::kCapacity)
-            return build_small_node(small_node(range), place);
+            return build_small_node(small_node(range), place, node);
         if (place.depth == task_.depth_limit) break;
         const Split split = best_split(range, place.cell);
         if (!task_.worth_it(split.cost, place.cell, range.triangles)) break;
+        const double growth = place.growth_after(range.triangles, split.left, split.right);
+        if (growth < 1) break;
 
-        const uint32_t pair = add_inner(split.axis, split.position, place);
-        const Place left = place.left(pair, split.axis, split.position);
-        const Place right = place.right(pair, split.axis, split.position);
-        if (split.left == 0) {
-            make_leaf(ids, 0, left);
-            place = right;
-        } else if (split.right == 0) {
-            make_leaf(ids, 0, right);
-            place = left;
-        } else {
-            build_node(split_lists(range, place.cell, split), left);
-            place = right;
-        }
+        const uint32_t pair = add_inner(split.axis, split.position, place, node);
+        const Place left = place.left(split.axis, split.position, growth);
+        const Place right = place.right(split.axis, split.position, growth);
+        const bool go_left = split.right == 0;
+        if (split.left == 0)
+            make_empty_leaf(left, pair);
+        else if (split.right == 0)
+            make_empty_leaf(right, pair + 1);
+        else
+            build_node(split_lists(range, place.cell, split), left, pair);
+        place = go_left ? left : right;
+        node = go_left ? pair : pair + 1;
     }
-    make_leaf(ids_.data() + range.ids, range.triangles, place);
+    make_leaf(ids_.data() + range.ids, range.triangles, place, node);
 }
 
-void SubtreeBuilder::build_small_node(SmallNode node, Place place) {
-    while (node.count > 0 && place.depth < task_.depth_limit) {
-        const double limit = task_.model.leaf(place.cell, node.count);
-        const SmallSplit split = find_small_split(node, place.cell, task_.model, limit);
+void SubtreeBuilder::build_small_node(SmallNode triangles, Place place, uint32_t node) {
+    while (triangles.count > 0 && place.depth < task_.depth_limit) {
+        const double limit = task_.model.leaf(place.cell, triangles.count);
+        const SmallSplit split = find_small_split(triangles, place.cell, task_.model, limit);
         if (split.cost >= limit) break;
-        const uint32_t pair = add_inner(split.axis, split.position, place);
+        const double growth = place.growth_after(triangles.count, split.left, split.right);
+        if (growth < 1) break;
+
+        const uint32_t pair = add_inner(split.axis, split.position, place, node);
         SmallNode left;
-        split_small_node(node, task_.triangles, place.cell, split, left, node);
-        build_small_node(left, place.left(pair, split.axis, split.position));
-        place = place.right(pair, split.axis, split.position);
+        split_small_node(triangles, task_.triangles, place.cell, split, left, triangles);
+        build_small_node(left, place.left(split.axis, split.position, growth), pair);
+        place = place.right(split.axis, split.position, growth);
+        node = pair + 1;
     }
-    make_leaf(node.ids, node.count, place);
+    make_leaf(triangles.ids, triangles.count, place, node);
 }
 
 SmallNode SubtreeBuilder::small_node(const Range& range) const {
@@ -136,19 +139,21 @@ SubtreeBuilder::Range SubtreeBuilder::split_lists(Range& range, const math::Box&
 }
 
 // Returns the first of its two children.
-uint32_t SubtreeBuilder::add_inner(uint32_t axis, float position, const Place& place) {
+uint32_t SubtreeBuilder::add_inner(uint32_t axis, float position, const Place& place,
+                                   uint32_t node) {
     if (nodes_.size() + 2 > kMaxNodes) fail_for_nodes();
     const uint32_t pair = uint32_t(nodes_.size());
     nodes_.resize(nodes_.size() + 2);
-    nodes_[place.node] = Node::inner(axis, position, pair);
+    nodes_[node] = Node::inner(axis, position, pair);
     statistics_.add_inner(task_.model, place.cell);
     return pair;
 }
 
-void SubtreeBuilder::make_leaf(const uint32_t* ids, uint32_t count, const Place& place) {
+void SubtreeBuilder::make_leaf(const uint32_t* ids, uint32_t count, const Place& place,
+                               uint32_t node) {
     statistics_.add_leaf(task_.model, place.cell, place.depth, count);
     const size_t first = count > 0 ? references_.size() : 0;
-    nodes_[place.node] = Node::leaf(uint32_t(first), count);
+    nodes_[node] = Node::leaf(uint32_t(first), count);
     references_.insert(references_.end(), ids, ids + count);
     if (count > 1) std::sort(references_.begin() + std::ptrdiff_t(first), references_.end());
 }

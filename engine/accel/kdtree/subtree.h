@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/kdtree/partition.h"
+#include "accel/kdtree/place.h"
 #include "accel/kdtree/small_node.h"
 #include "accel/kdtree/statistics.h"
 #include "accel/kdtree/task.h"
@@ -32,36 +33,25 @@ public:
           ids_(task.memory), nodes_(task.memory), references_(task.memory) {}
 
     // Incomplete if the build was cancelled.
-    void build(OwnedLists lists, const math::Box& cell, uint32_t depth, Subtree& result);
+    void build(OwnedLists lists, const Place& place, Subtree& result);
 
 private:
-    // Places on the stacks.
+    // Where lists are on the stacks.
     struct Range {
         size_t events[3];
         uint32_t count[3];
         size_t ids;
         uint32_t triangles;
     };
-    struct Place {
-        uint32_t node;
-        uint32_t depth;
-        math::Box cell;
 
-        Place left(uint32_t pair, uint32_t axis, float position) const {
-            return {pair, depth + 1, left_cell(cell, axis, position)};
-        }
-        Place right(uint32_t pair, uint32_t axis, float position) const {
-            return {pair + 1, depth + 1, right_cell(cell, axis, position)};
-        }
-    };
-
-    void build_node(Range range, Place place);
-    void build_small_node(SmallNode node, Place place);
+    void build_node(Range range, Place place, uint32_t node);
+    void build_small_node(SmallNode triangles, Place place, uint32_t node);
     SmallNode small_node(const Range& range) const;
     Split best_split(const Range& range, const math::Box& cell) const;
     Range split_lists(Range& range, const math::Box& cell, const Split& split);
-    uint32_t add_inner(uint32_t axis, float position, const Place& place);
-    void make_leaf(const uint32_t* ids, uint32_t count, const Place& place);
+    uint32_t add_inner(uint32_t axis, float position, const Place& place, uint32_t node);
+    void make_leaf(const uint32_t* ids, uint32_t count, const Place& place, uint32_t node);
+    void make_empty_leaf(const Place& place, uint32_t node) { make_leaf(nullptr, 0, place, node); }
     void load(OwnedLists lists, Range& range);
     Lists lists_at(const Range& range);
     std::span<const Event> events_of(const Range& range, uint32_t axis) const {

@@ -2,6 +2,7 @@
 
 #include "accel/kdtree/control.h"
 #include "accel/kdtree/cost.h"
+#include "base/memory.h"
 #include "geometry/triangle.h"
 
 #include <cstdint>
@@ -23,16 +24,6 @@ struct Task {
         return cost < model.leaf(cell, count);
     }
 };
-
-inline math::Box left_cell(math::Box cell, uint32_t axis, float position) {
-    cell.upper[int(axis)] = position;
-    return cell;
-}
-
-inline math::Box right_cell(math::Box cell, uint32_t axis, float position) {
-    cell.lower[int(axis)] = position;
-    return cell;
-}
 
 [[noreturn]] inline void fail_for_nodes() {
     base::fail(base::Code::limit, "the kd-tree would have more than %llu nodes",

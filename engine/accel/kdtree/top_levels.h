@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/kdtree/partition.h"
+#include "accel/kdtree/place.h"
 #include "accel/kdtree/root.h"
 #include "accel/kdtree/statistics.h"
 #include "accel/kdtree/task.h"
@@ -13,13 +14,11 @@ namespace peregrine::accel::kdtree {
 // Inner nodes have children side by side in the list of top nodes; the others are the roots of
 // subtrees, still with their lists.
 struct TopNode {
-    TopNode(base::Memory* memory, const math::Box& node_cell, uint32_t node_depth)
-        : cell(node_cell), depth(node_depth), lists(memory) {}
+    TopNode(base::Memory* memory, const Place& node_place) : place(node_place), lists(memory) {}
 
     bool is_inner() const { return left_child != 0; }
 
-    math::Box cell;
-    uint32_t depth;
+    Place place;
     Split split;
     uint32_t left_child = 0;
     OwnedLists lists;
@@ -41,9 +40,9 @@ public:
     base::Vector<TopNode> build(OwnedLists root, const math::Box& bounds);
 
 private:
-    void find_splits();
-    void drop_leaves();
+    void find_costs();
     void locate_splits();
+    void drop_leaves();
     void begin_partitions();
     void run_partitions();
     void clip_straddlers();

@@ -1,0 +1,52 @@
+#include "exposure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace host {
+
+namespace {
+
+constexpr uint32_t probe_width = 64, probe_height = 36;
+constexpr float key = 0.11f;       // where the mean is to be: below middle grey, for lamps to glow
+constexpr float darkest = 1e-3f;   // so that a few black pixels do not rule the mean
+constexpr float adaptation = 0.7f; // 0: none, 1: every view gets the same mean
+constexpr float lowest = 0.5f, highest = 8.0f;
+
+// Geometric, as eyes compare light by ratios (Reinhard et al. 2002, equation 1).
+float mean_luminance(const std::vector<float>& pixels) {
+    double sum = 0.0;
+    for (size_t i = 0; i < pixels.size(); i += 4) {
+        const float luminance =
+            0.2126f * pixels[i] + 0.7152f * pixels[i + 1] + 0.0722f * pixels[i + 2];
+        sum += std::log(static_cast<double>(std::max(luminance, darkest)));
+    }
+    return static_cast<float>(std::exp(sum / (static_cast<double>(pixels.size()) / 4.0)));
+}
+
+} // namespace
+
+float Exposure::wanted(const Viewpoint& viewpoint) const {
+    Frame frame = session_.frame(probe_width, probe_height);
+    frame.view = RT_VIEW_SHADED;
+    frame.format = RT_FORMAT_RGBA32F;
+    frame.tone_mapping = RT_TONE_NONE;
+    std::vector<float> pixels(size_t{4} * probe_width * probe_height);
+    session_.stage.render(viewpoint, frame, pixels.data());
+    return std::clamp(std::pow(key / mean_luminance(pixels), adaptation), lowest, highest);
+}
+
+float Exposure::settle(const Viewpoint& viewpoint) {
+    current_ = session_.options.exposure ? *session_.options.exposure : wanted(viewpoint);
+    return current_;
+}
+
+float Exposure::drift(const Viewpoint& viewpoint, double seconds) {
+    if (session_.options.exposure || current_ == 0.0f) return settle(viewpoint);
+    const auto part = static_cast<float>(1.0 - std::exp(-2.0 * seconds));
+    current_ *= std::pow(wanted(viewpoint) / current_, part);
+    return current_;
+}
+
+} // namespace host

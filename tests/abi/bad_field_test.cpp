@@ -1,0 +1,223 @@
+// Fields of textures, materials, lights, the environment and the scene itself.
+#include "bad_input.h"
+
+#include <functional>
+
+namespace peregrine::test {
+namespace {
+
+class BadField : public BadInput {};
+
+template <class Struct>
+struct Case {
+    std::function<void(Struct&)> spoil;
+    rt_result expected;
+    const char* words;
+};
+
+TEST_F(BadField, Scene) {
+    using C = Case<rt_scene_desc>;
+    const auto allocate = [](void*, uint64_t, uint64_t) -> void* { return nullptr; };
+    const auto deallocate = [](void*, void*, uint64_t, uint64_t) {};
+    const auto run = [](void*, uint32_t, rt_task_function, void*) {};
+    const C cases[] = {
+        {[&](auto& d) { d.allocator.allocate = allocate; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_scene_desc.allocator.deallocate is null"},
+        {[&](auto& d) { d.allocator.deallocate = deallocate; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_scene_desc.allocator.allocate is null"},
+        {[&](auto& d) { d.worker_count = 257; }, RT_ERROR_LIMIT, "worker_count is 257"},
+        {[&](auto& d) { d.worker_count = ~0u; }, RT_ERROR_LIMIT, "worker_count"},
+        {[&](auto& d) { d.scheduler.run = run; }, RT_ERROR_INVALID_ARGUMENT, "concurrency is 0"},
+        {[&](auto& d) { d.scheduler.reserved = 1; }, RT_ERROR_INVALID_ARGUMENT,
+         "scheduler.reserved"},
+        {[&](auto& d) { d.isa = 6; }, RT_ERROR_INVALID_ARGUMENT, "rt_scene_desc.isa is 6"},
+        {[&](auto& d) { d.isa = -1; }, RT_ERROR_INVALID_ARGUMENT, "rt_scene_desc.isa is -1"},
+        {[&](auto& d) { d.reserved = 1; }, RT_ERROR_INVALID_ARGUMENT, "rt_scene_desc.reserved"},
+#if defined(__x86_64__)
+        {[&](auto& d) { d.isa = RT_ISA_NEON; }, RT_ERROR_UNSUPPORTED, "isa"},
+#endif
+    };
+    for (const C& c : cases) {
+        rt_scene_desc desc = rt_default_scene_desc();
+        c.spoil(desc);
+        rt_scene out = kUntouched<rt_scene>;
+        expect_refused(rt_create_scene(&desc, &out), c.expected, c.words);
+        EXPECT_TRUE(untouched(out));
+    }
+    const rt_scene_desc desc = rt_default_scene_desc();
+    expect_refused(rt_create_scene(&desc, nullptr), RT_ERROR_INVALID_ARGUMENT, "out_scene");
+    expect_refused(rt_get_scene_stats(scene(), nullptr), RT_ERROR_INVALID_ARGUMENT, "out_stats");
+}
+
+TEST_F(BadField, Texture) {
+    using C = Case<rt_texture_desc>;
+    const C cases[] = {
+        {[](auto& d) { d.pixels = nullptr; }, RT_ERROR_INVALID_ARGUMENT, "pixels is null"},
+        {[](auto& d) { d.width = 0; }, RT_ERROR_INVALID_ARGUMENT, "width is 0"},
+        {[](auto& d) { d.height = 0; }, RT_ERROR_INVALID_ARGUMENT, "height is 0"},
+        {[](auto& d) { d.width = 32769; }, RT_ERROR_LIMIT, "width is 32769"},
+        {[](auto& d) { d.height = ~0u; }, RT_ERROR_LIMIT, "height is 4294967295"},
+        {[](auto& d) { d.row_stride = 7; }, RT_ERROR_INVALID_ARGUMENT, "row_stride is 7"},
+        {[](auto& d) { d.row_stride = ~0ull; }, RT_ERROR_LIMIT, "row_stride"},
+        {[](auto& d) { d.row_stride = 1ull << 63; }, RT_ERROR_LIMIT, "row_stride"},
+        {[](auto& d) { d.format = RT_FORMAT_RGBA16F; }, RT_ERROR_INVALID_ARGUMENT, "format"},
+        {[](auto& d) { d.format = 5; }, RT_ERROR_INVALID_ARGUMENT, "format is 5"},
+        {[](auto& d) { d.format = -1; }, RT_ERROR_INVALID_ARGUMENT, "format is -1"},
+        {[](auto& d) { d.wrap_u = 3; }, RT_ERROR_INVALID_ARGUMENT, "wrap_u is 3"},
+        {[](auto& d) { d.wrap_v = -7; }, RT_ERROR_INVALID_ARGUMENT, "wrap_v is -7"},
+        {[](auto& d) { d.filter = 2; }, RT_ERROR_INVALID_ARGUMENT, "filter is 2"},
+        {[](auto& d) { d.reserved = 1; }, RT_ERROR_INVALID_ARGUMENT, "reserved is 1"},
+    };
+    const std::vector<float> pixels = {0, 1, kInfinity, -1, 0, 1, 2, 3, 0, 1, 2, -1, 0, 1, 2, 3};
+    rt_texture_desc good = rt_default_texture_desc();
+    good.pixels = pixels.data();
+    good.width = good.height = 2;
+    auto out = kUntouched<rt_texture>;
+    for (const C& c : cases) {
+        rt_texture_desc desc = good;
+        c.spoil(desc);
+        expect_refused(rt_add_texture(scene(), &desc, &out), c.expected, c.words);
+    }
+    good.format = RT_FORMAT_RGBA32F;
+    expect_refused(rt_add_texture(scene(), &good, &out), RT_ERROR_INVALID_ARGUMENT,
+                   "the texel at (0, 0) is inf");
+    EXPECT_TRUE(untouched(out));
+    expect_refused(rt_add_texture(scene(), &good, nullptr), RT_ERROR_INVALID_ARGUMENT,
+                   "out_texture");
+}
+
+// Every float of a struct in turn becomes NaN and infinite; all of them must be looked at.
+template <class Struct, size_t N>
+void spoil_floats(const Struct& good, const size_t (&offsets)[N],
+                  const std::function<void(const Struct&)>& refuse) {
+    for (const size_t offset : offsets)
+        for (const float value : {kNan, kInfinity, -kInfinity}) {
+            Struct bad = good;
+            std::memcpy(reinterpret_cast<char*>(&bad) + offset, &value, sizeof value);
+            refuse(bad);
+        }
+}
+
+#define AT(type, member) offsetof(type, member)
+
+TEST_F(BadField, MaterialFloats) {
+    using M = rt_material_desc;
+    const size_t offsets[] = {
+        AT(M, base_color[0]),
+        AT(M, base_color[3]),
+        AT(M, emissive[0]),
+        AT(M, emissive[2]),
+        AT(M, alpha_cutoff),
+        AT(M, specular[0]),
+        AT(M, specular[2]),
+        AT(M, shininess),
+        AT(M, normal_scale),
+        AT(M, base_color_texture.transform[0]),
+        AT(M, base_color_texture.transform[5]),
+        AT(M, normal_texture.transform[2]),
+        AT(M, emissive_texture.transform[4]),
+    };
+    spoil_floats<M>(rt_default_material_desc(), offsets, [&](const M& bad) {
+        auto out = kUntouched<rt_material>;
+        expect_refused(rt_add_material(scene(), &bad, &out), RT_ERROR_INVALID_ARGUMENT,
+                       "rt_material_desc.");
+        EXPECT_TRUE(untouched(out));
+        expect_refused(rt_update_material(scene(), world_->material, &bad),
+                       RT_ERROR_INVALID_ARGUMENT, "rt_material_desc.");
+    });
+}
+
+TEST_F(BadField, Material) {
+    using C = Case<rt_material_desc>;
+    const C cases[] = {
+        {[](auto& d) { d.alpha_mode = 2; }, RT_ERROR_INVALID_ARGUMENT, "alpha_mode is 2"},
+        {[](auto& d) { d.alpha_mode = -1; }, RT_ERROR_INVALID_ARGUMENT, "alpha_mode is -1"},
+        {[](auto& d) { d.base_color[1] = -0.5f; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.base_color[1] is -0.5"},
+        {[](auto& d) { d.emissive[2] = -1; }, RT_ERROR_INVALID_ARGUMENT, "emissive[2] is -1"},
+        {[](auto& d) { d.shininess = 0.5f; }, RT_ERROR_INVALID_ARGUMENT, "shininess is 0.5"},
+        {[](auto& d) { d.double_sided = 2; }, RT_ERROR_INVALID_ARGUMENT, "double_sided is 2"},
+        {[](auto& d) { d.normal_texture.texcoord_set = 2; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.normal_texture.texcoord_set is 2"},
+        {[](auto& d) { d.emissive_texture.reserved = 3; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.emissive_texture.reserved is 3"},
+    };
+    for (const C& c : cases) {
+        rt_material_desc desc = rt_default_material_desc();
+        c.spoil(desc);
+        auto out = kUntouched<rt_material>;
+        expect_refused(rt_add_material(scene(), &desc, &out), c.expected, c.words);
+        expect_refused(rt_update_material(scene(), world_->fence, &desc), c.expected, c.words);
+        EXPECT_TRUE(untouched(out));
+    }
+}
+
+TEST_F(BadField, Light) {
+    using C = Case<rt_light_desc>;
+    const C cases[] = {
+        {[](auto& d) { d.type = 3; }, RT_ERROR_INVALID_ARGUMENT, "type is 3"},
+        {[](auto& d) { d.position[1] = std::nan(""); }, RT_ERROR_INVALID_ARGUMENT, "position[1]"},
+        {[](auto& d) { d.radius = 0; }, RT_ERROR_INVALID_ARGUMENT, "radius is 0"},
+        {[](auto& d) { d.radius = -1; }, RT_ERROR_INVALID_ARGUMENT, "radius is -1"},
+        {[](auto& d) { d.intensity[0] = -1; }, RT_ERROR_INVALID_ARGUMENT, "intensity[0] is -1"},
+        {[](auto& d) { d.casts_no_shadow = 7; }, RT_ERROR_INVALID_ARGUMENT, "casts_no_shadow"},
+        {[](auto& d) { d.direction[1] = 0; }, RT_ERROR_INVALID_ARGUMENT, "direction is the zero"},
+        {[](auto& d) { d.cone_outer_cos = 1.5f; }, RT_ERROR_INVALID_ARGUMENT, "cone_outer_cos"},
+        {[](auto& d) { d.cone_inner_cos = 0.5f; }, RT_ERROR_INVALID_ARGUMENT, "cone_inner_cos"},
+        {[](auto& d) { d.cone_outer_cos = -1.5f; }, RT_ERROR_INVALID_ARGUMENT, "cone_outer_cos"},
+    };
+    rt_light_desc good = rt_default_light_desc();
+    good.type = RT_LIGHT_SPOT;
+    const auto refuse = [&](const rt_light_desc& desc, rt_result expected, const char* words) {
+        auto out = kUntouched<rt_light>;
+        expect_refused(rt_add_light(scene(), &desc, &out), expected, words);
+        expect_refused(rt_update_light(scene(), world_->lamp, &desc), expected, words);
+        EXPECT_TRUE(untouched(out));
+    };
+    for (const C& c : cases) {
+        rt_light_desc desc = good;
+        c.spoil(desc);
+        refuse(desc, c.expected, c.words);
+    }
+    using L = rt_light_desc;
+    const size_t offsets[] = {AT(L, direction[0]), AT(L, direction[2]),   AT(L, radius),
+                              AT(L, intensity[1]), AT(L, cone_inner_cos), AT(L, cone_outer_cos)};
+    for (const rt_light_type type : {RT_LIGHT_POINT, RT_LIGHT_SPOT, RT_LIGHT_DIRECTIONAL}) {
+        good.type = type;
+        spoil_floats<L>(good, offsets, [&](const L& bad) {
+            refuse(bad, RT_ERROR_INVALID_ARGUMENT, "rt_light_desc.");
+        });
+    }
+}
+
+TEST_F(BadField, Environment) {
+    using E = rt_environment;
+    const size_t offsets[] = {AT(E, ambient[0]), AT(E, ambient[2]), AT(E, background[1])};
+    spoil_floats<E>(rt_default_environment(), offsets, [&](const E& bad) {
+        expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
+                       "rt_environment.");
+    });
+    E bad = rt_default_environment();
+    bad.reserved = 2;
+    expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
+                   "rt_environment.reserved");
+}
+
+TEST_F(BadField, Commit) {
+    rt_commit_desc desc = rt_default_commit_desc();
+    for (const float bonus : {-0.1f, 1.1f, kNan, kInfinity}) {
+        desc.empty_bonus = bonus;
+        expect_refused(rt_commit_scene(scene(), &desc, nullptr), RT_ERROR_INVALID_ARGUMENT,
+                       "rt_commit_desc.empty_bonus");
+    }
+    ASSERT_OK(move_lift(*world_, 3));
+    desc.empty_bonus = 0.2f;
+    desc.progress = [](void*, float) -> int32_t { return 1; };
+    expect_refused(rt_commit_scene(scene(), &desc, nullptr), RT_ERROR_CANCELLED, "cancelled");
+    desc.progress = [](void*, float) -> int32_t { throw 1; };
+    expect_refused(rt_commit_scene(scene(), &desc, nullptr), RT_ERROR_INTERNAL, "callback");
+    ASSERT_OK(move_lift(*world_, 1));
+}
+
+} // namespace
+} // namespace peregrine::test

@@ -1,0 +1,13 @@
+# The layout that PROGRAM prints is the GOLDEN one, and names every struct of HEADER.
+execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE layout COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${GOLDEN} golden)
+if(NOT layout STREQUAL golden)
+  message(SEND_ERROR "the layout differs from ${GOLDEN}; it is now:\n${layout}")
+endif()
+file(STRINGS ${HEADER} structs REGEX "^typedef struct rt_")
+foreach(line IN LISTS structs)
+  string(REGEX MATCH "rt_[a-z_0-9]+" name "${line}")
+  if(NOT layout MATCHES "struct ${name} ")
+    message(SEND_ERROR "abi_layout.c does not print ${name}")
+  endif()
+endforeach()

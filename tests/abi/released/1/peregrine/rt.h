@@ -1,0 +1,719 @@
+/* Peregrine: a real-time CPU ray tracing engine for games.
+ *
+ * This header is the whole interface of the library. It is plain C11 and valid C++.
+ *
+ * The way of the data:
+ *     describe (rt_add_*, rt_update_*, rt_remove_*)  ->  rt_commit_scene  ->  a frozen snapshot
+ *     snapshot  ->  rt_trace_query, rt_resolve_hits, rt_render_frame
+ * What was described after the last commit is invisible to queries and frames until the next one.
+ *
+ * Units: metres, radians, linear RGB radiance. Right-handed, Y up, front faces counter-clockwise.
+ * A ray's t is measured in lengths of its direction, which need not be normalised.
+ *
+ * Ownership: every pointer is borrowed for the duration of the call; the library copies what it
+ * keeps. Every array comes with a count and a stride in bytes (0: tightly packed), and no byte
+ * beyond the last element is read.
+ *
+ * Threads: calls that describe or commit one scene are the host's to serialise. Queries and frames
+ * run at any time, from any thread, also while the scene is described or committed; each call
+ * works on the snapshot that was current when it began. rt_destroy_scene must not overlap with
+ * any other call on that scene. Different scenes never interfere.
+ *
+ * Errors: every call that can fail returns an rt_result. RT_OK is 0. After anything else, the
+ * state is as it was before the call, no output was written, and rt_get_last_error() gives this
+ * thread's sentence about the cause. The library throws nothing, prints nothing, installs no
+ * signal handler and leaves the floating-point environment alone; it expects the default one (round to
+ * nearest, denormals not flushed).
+ *
+ * Versions: a struct that begins with struct_size may grow at its end. The rt_default_* functions
+ * below fill in the size that your program was compiled with; fields that your header does not
+ * know read as zero in a newer library, and zero always means what the library did before.
+ */
+#ifndef PEREGRINE_RT_H
+#define PEREGRINE_RT_H
+
+#include <stdint.h>
+#include <string.h>
+
+#define RT_API_VERSION 1u
+
+#if defined(_WIN32)
+#if defined(PEREGRINE_BUILD)
+#define RT_EXPORT __declspec(dllexport)
+#else
+#define RT_EXPORT __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define RT_EXPORT __attribute__((visibility("default")))
+#else
+#define RT_EXPORT
+#endif
+
+#if defined(__cplusplus)
+#define RT_NOEXCEPT noexcept
+extern "C" {
+#else
+#define RT_NOEXCEPT
+#endif
+
+/* ------------------------------------------------------------------------------------ results */
+
+typedef int32_t rt_result;
+enum {
+    RT_OK = 0,
+    RT_ERROR_INVALID_ARGUMENT = 1, /* null pointer, NaN, unknown constant, contradictory fields */
+    RT_ERROR_INVALID_HANDLE = 2,   /* null, stale or foreign handle */
+    RT_ERROR_INVALID_STRUCT = 3,   /* struct_size is no size that this struct ever had */
+    RT_ERROR_LIMIT = 4,            /* a count or a size beyond what the library supports */
+    RT_ERROR_OUT_OF_MEMORY = 5,    /* an allocation failed */
+    RT_ERROR_CANCELLED = 6,        /* the progress callback asked to stop */
+    RT_ERROR_NOT_COMMITTED = 7,    /* the scene has no snapshot yet */
+    RT_ERROR_UNSUPPORTED = 8,      /* this machine or this build cannot do it */
+    RT_ERROR_INTERNAL = 9          /* a defect of the library: please report the sentence */
+};
+
+/* The sentence for the last failed call of this thread; "" if none failed yet. Never null. Valid
+ * until the next failing call of this thread. Thread safety: any thread, any time. */
+RT_EXPORT const char* rt_get_last_error(void) RT_NOEXCEPT;
+
+/* "RT_OK", "RT_ERROR_LIMIT", ...; "unknown rt_result" for any other number. Static storage.
+ * Thread safety: any thread, any time. */
+RT_EXPORT const char* rt_get_result_name(rt_result result) RT_NOEXCEPT;
+
+/* "major.minor.patch" of the library. Static storage. Thread safety: any thread, any time. */
+RT_EXPORT const char* rt_get_version_string(void) RT_NOEXCEPT;
+
+/* ------------------------------------------------------------------------------------ handles */
+
+/* Small values, copied freely. All zero is the null handle. A handle whose object was removed is
+ * stale: calls refuse it. Handles of one scene mean nothing to another. */
+typedef struct rt_scene {
+    uint32_t index, generation;
+} rt_scene;
+typedef struct rt_mesh {
+    uint32_t index, generation;
+} rt_mesh;
+typedef struct rt_material {
+    uint32_t index, generation;
+} rt_material;
+typedef struct rt_texture {
+    uint32_t index, generation;
+} rt_texture;
+typedef struct rt_light {
+    uint32_t index, generation;
+} rt_light;
+
+/* ---------------------------------------------------------------------------- the host's side */
+
+/* Memory. Both functions are called from any thread that the library runs on. `allocate` returns
+ * null when it cannot; `alignment` is a power of two. `deallocate` gets the size and alignment of
+ * the allocation back. */
+typedef struct rt_allocator {
+    void* user;
+    void* (*allocate)(void* user, uint64_t size, uint64_t alignment);
+    void (*deallocate)(void* user, void* memory, uint64_t size, uint64_t alignment);
+} rt_allocator;
+
+/* Threads. `run` calls task(task_data, i) once for every i < task_count, in any order, on any
+ * threads, and returns when all calls have returned. No task waits for another, so running them
+ * one after the other on the calling thread is allowed. `concurrency` is the number of threads
+ * that `run` normally reaches, at least 1. `run` may be called from several threads at a time. */
+typedef void (*rt_task_function)(void* task_data, uint32_t task_index);
+typedef struct rt_scheduler {
+    void* user;
+    void (*run)(void* user, uint32_t task_count, rt_task_function task, void* task_data);
+    uint32_t concurrency;
+    uint32_t reserved; /* 0 */
+} rt_scheduler;
+
+typedef int32_t rt_log_level;
+enum { RT_LOG_INFO = 0, RT_LOG_WARNING = 1, RT_LOG_ERROR = 2 };
+typedef void (*rt_log_function)(void* user, rt_log_level level, const char* message);
+
+/* -------------------------------------------------------------------------------------- scene */
+
+/* The instruction set that the kernels of a scene use. Every choice gives the same bits. */
+typedef int32_t rt_isa;
+enum { RT_ISA_BEST = 0, RT_ISA_SSE4 = 1, RT_ISA_AVX2 = 2, RT_ISA_AVX512 = 3, RT_ISA_SCALAR = 4, RT_ISA_NEON = 5 };
+
+typedef struct rt_scene_desc {
+    uint32_t struct_size;
+    uint32_t
+        worker_count;       /* threads that work on a commit or frame, the calling one included:
+                               0 and 1 create none. Ignored when `scheduler.run` is set. At most 256. */
+    rt_allocator allocator; /* both functions null: the C++ runtime's */
+    rt_scheduler scheduler; /* run null: the library's own pool of worker_count - 1 threads */
+    rt_log_function log;    /* null: silence. Called from the thread that commits. */
+    void* log_user;
+    rt_isa isa;        /* RT_ISA_BEST unless you compare */
+    uint32_t reserved; /* 0 */
+} rt_scene_desc;
+
+static inline rt_scene_desc rt_default_scene_desc(void) {
+    rt_scene_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    return desc;
+}
+
+/* Creates an empty scene. Errors: INVALID_ARGUMENT (half an allocator), INVALID_STRUCT, LIMIT (more
+ * than 1024 scenes, more than 256 workers), UNSUPPORTED (an instruction set that this machine
+ * lacks), OUT_OF_MEMORY. Thread safety: any thread, any time. */
+RT_EXPORT rt_result rt_create_scene(const rt_scene_desc* desc, rt_scene* out_scene) RT_NOEXCEPT;
+
+/* Frees the scene and everything in it, and joins its threads. Thread safety: not while another
+ * call on this scene runs. */
+RT_EXPORT rt_result rt_destroy_scene(rt_scene scene) RT_NOEXCEPT;
+
+/* ----------------------------------------------------------------------------------- textures */
+
+typedef int32_t rt_pixel_format;
+enum {
+    RT_FORMAT_RGBA8_SRGB = 0, /* 4 bytes; colour is sRGB-encoded, alpha linear */
+    RT_FORMAT_BGRA8_SRGB = 1,
+    RT_FORMAT_RGBA8_LINEAR = 2, /* 4 bytes, for normal maps and other data. Textures only. */
+    RT_FORMAT_RGBA16F = 3,      /* 8 bytes, IEEE half floats. Frames only. */
+    RT_FORMAT_RGBA32F = 4       /* 16 bytes */
+};
+
+typedef int32_t rt_wrap;
+enum { RT_WRAP_REPEAT = 0, RT_WRAP_MIRROR = 1, RT_WRAP_CLAMP = 2 };
+
+typedef int32_t rt_filter;
+enum { RT_FILTER_BILINEAR = 0, RT_FILTER_NEAREST = 1 };
+
+typedef struct rt_texture_desc {
+    uint32_t struct_size;
+    rt_pixel_format format; /* RGBA8_SRGB, BGRA8_SRGB, RGBA8_LINEAR or RGBA32F */
+    const void* pixels;     /* height rows of width pixels; row 0 is at v = 0 */
+    uint64_t row_stride;    /* bytes from row to row; 0: tightly packed */
+    uint32_t width, height; /* 1 to 32768 each */
+    rt_wrap wrap_u, wrap_v;
+    rt_filter filter;
+    uint32_t reserved; /* 0 */
+} rt_texture_desc;
+
+static inline rt_texture_desc rt_default_texture_desc(void) {
+    rt_texture_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    return desc;
+}
+
+/* Copies the pixels. Filtering happens in linear light. */
+RT_EXPORT rt_result rt_add_texture(rt_scene scene, const rt_texture_desc* desc,
+                                   rt_texture* out_texture) RT_NOEXCEPT;
+
+/* The handle is stale at once; snapshots that use the texture keep it. Materials that name it are
+ * refused by the next commit with a sentence. */
+RT_EXPORT rt_result rt_remove_texture(rt_scene scene, rt_texture texture) RT_NOEXCEPT;
+
+/* ---------------------------------------------------------------------------------- materials */
+
+typedef int32_t rt_alpha_mode;
+enum {
+    RT_ALPHA_OPAQUE = 0, /* alpha is ignored */
+    RT_ALPHA_MASK = 1    /* the surface is absent where alpha < alpha_cutoff */
+};
+
+/* A texture as a material uses it: (u', v') = (m[0] u + m[1] v + m[2], m[3] u + m[4] v + m[5]).
+ * texcoord_set chooses rt_mesh_desc.texcoords (0) or texcoords1 (1). */
+typedef struct rt_texture_use {
+    rt_texture texture; /* null: none */
+    float transform[6];
+    uint32_t texcoord_set;
+    uint32_t reserved; /* 0 */
+} rt_texture_use;
+
+typedef struct rt_material_desc {
+    uint32_t struct_size;
+    rt_alpha_mode alpha_mode;
+    float base_color[4]; /* linear; multiplies the texture. Components >= 0, finite. */
+    float emissive[3];   /* linear radiance; may exceed 1 */
+    float alpha_cutoff;
+    float specular[3];  /* linear reflectance of the highlight */
+    float shininess;    /* exponent n >= 1 of Schlick's rational highlight */
+    float normal_scale; /* scales x and y of the normal map */
+    uint32_t
+        double_sided; /* 0: frames do not show back faces; shadows and queries see both sides */
+    rt_texture_use base_color_texture;
+    rt_texture_use normal_texture; /* tangent space, +Y up, stored as 0.5 n + 0.5 */
+    rt_texture_use emissive_texture;
+    uint64_t user_data; /* handed back by rt_resolve_hits */
+} rt_material_desc;
+
+static inline rt_texture_use rt_default_texture_use(void) {
+    rt_texture_use use;
+    memset(&use, 0, sizeof use);
+    use.transform[0] = use.transform[4] = 1.0f;
+    return use;
+}
+
+static inline rt_material_desc rt_default_material_desc(void) {
+    rt_material_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.base_color[0] = desc.base_color[1] = desc.base_color[2] = desc.base_color[3] = 1.0f;
+    desc.alpha_cutoff = 0.5f;
+    desc.shininess = 32.0f;
+    desc.normal_scale = 1.0f;
+    desc.base_color_texture = rt_default_texture_use();
+    desc.normal_texture = rt_default_texture_use();
+    desc.emissive_texture = rt_default_texture_use();
+    return desc;
+}
+
+RT_EXPORT rt_result rt_add_material(rt_scene scene, const rt_material_desc* desc,
+                                    rt_material* out_material) RT_NOEXCEPT;
+RT_EXPORT rt_result rt_update_material(rt_scene scene, rt_material material,
+                                       const rt_material_desc* desc) RT_NOEXCEPT;
+/* Meshes that name a removed material show the default one from the next commit on. */
+RT_EXPORT rt_result rt_remove_material(rt_scene scene, rt_material material) RT_NOEXCEPT;
+
+/* ------------------------------------------------------------------------------------- meshes */
+
+/* `count` elements, `stride` bytes apart (0: tightly packed; otherwise at least an element). */
+typedef struct rt_array {
+    const void* data; /* null with count 0: absent */
+    uint64_t count;
+    uint32_t stride;
+    uint32_t reserved; /* 0 */
+} rt_array;
+
+typedef int32_t rt_index_type;
+enum {
+    RT_INDEX_UINT32 = 0,
+    RT_INDEX_UINT16 = 1,
+    RT_INDEX_NONE = 2 /* no indices: vertices 3i, 3i+1, 3i+2 are triangle i */
+};
+
+typedef struct rt_mesh_desc {
+    uint32_t struct_size;
+    rt_index_type index_type;
+    rt_array positions; /* float[3]: required */
+    rt_array normals;   /* float[3], one a vertex: optional, the face normal otherwise */
+    rt_array tangents;  /* float[4], one a vertex, w = +1 or -1: optional, derived from texcoords */
+    rt_array texcoords; /* float[2], one a vertex: optional, (0, 0) otherwise */
+    rt_array texcoords1;  /* float[2], the second set */
+    rt_array indices;     /* single indices, three a triangle */
+    rt_array materials;   /* rt_material, one a triangle: optional */
+    rt_material material; /* of triangles without one; null: white, double-sided */
+    uint32_t layer_mask;  /* queries see the mesh when (layer_mask & query mask) != 0 */
+    uint32_t reserved;    /* 0 */
+    uint64_t user_data;   /* handed back by rt_resolve_hits */
+} rt_mesh_desc;
+
+static inline rt_mesh_desc rt_default_mesh_desc(void) {
+    rt_mesh_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.layer_mask = 0xffffffffu;
+    return desc;
+}
+
+/* Adds a mesh whose shape stays as it is. Triangles with a vertex that is not finite or larger than
+ * 1e30 in magnitude, and triangles without area, are kept out of the snapshot and counted in the
+ * commit report; the others keep their indices. Errors: INVALID_ARGUMENT (null or missing arrays, a
+ * stride below an element, counts that do not match, an index out of range, which is named),
+ * LIMIT (more than 2^27 triangles or 2^30 vertices), OUT_OF_MEMORY. */
+RT_EXPORT rt_result rt_add_static_mesh(rt_scene scene, const rt_mesh_desc* desc,
+                                       rt_mesh* out_mesh) RT_NOEXCEPT;
+
+/* Adds a mesh whose vertices will move (rt_update_dynamic_mesh). Errors as above. */
+RT_EXPORT rt_result rt_add_dynamic_mesh(rt_scene scene, const rt_mesh_desc* desc,
+                                        rt_mesh* out_mesh) RT_NOEXCEPT;
+
+/* New vertices for a dynamic mesh; the counts are those of the mesh. An array that is absent stays
+ * as it was. Seen by queries and frames after the next commit. */
+typedef struct rt_mesh_update {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    rt_array positions;
+    rt_array normals;
+    rt_array tangents;
+} rt_mesh_update;
+
+static inline rt_mesh_update rt_default_mesh_update(void) {
+    rt_mesh_update update;
+    memset(&update, 0, sizeof update);
+    update.struct_size = (uint32_t)sizeof update;
+    return update;
+}
+
+RT_EXPORT rt_result rt_update_dynamic_mesh(rt_scene scene, rt_mesh mesh,
+                                           const rt_mesh_update* update) RT_NOEXCEPT;
+
+/* The handle is stale at once; the snapshot shows the mesh until the next commit. */
+RT_EXPORT rt_result rt_remove_mesh(rt_scene scene, rt_mesh mesh) RT_NOEXCEPT;
+
+/* --------------------------------------------------------------------- lights and environment */
+
+typedef int32_t rt_light_type;
+enum { RT_LIGHT_POINT = 0, RT_LIGHT_SPOT = 1, RT_LIGHT_DIRECTIONAL = 2 };
+
+typedef struct rt_light_desc {
+    uint32_t struct_size;
+    rt_light_type type;
+    double position[3];   /* point, spot */
+    float direction[3];   /* spot, directional: the way the light travels; any length but zero */
+    float radius;         /* point, spot: the light ends here, in metres; > 0, finite */
+    float intensity[3];   /* linear RGB; candela (point, spot) or lux (directional) */
+    float cone_inner_cos; /* spot: full inside this angle, ... */
+    float cone_outer_cos; /* ... none outside this one */
+    uint32_t casts_no_shadow; /* 0: shadows are traced */
+} rt_light_desc;
+
+static inline rt_light_desc rt_default_light_desc(void) {
+    rt_light_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.direction[1] = -1.0f;
+    desc.radius = 10.0f;
+    desc.intensity[0] = desc.intensity[1] = desc.intensity[2] = 1.0f;
+    desc.cone_inner_cos = 1.0f;
+    desc.cone_outer_cos = 0.70710678f;
+    return desc;
+}
+
+RT_EXPORT rt_result rt_add_light(rt_scene scene, const rt_light_desc* desc,
+                                 rt_light* out_light) RT_NOEXCEPT;
+RT_EXPORT rt_result rt_update_light(rt_scene scene, rt_light light,
+                                    const rt_light_desc* desc) RT_NOEXCEPT;
+RT_EXPORT rt_result rt_remove_light(rt_scene scene, rt_light light) RT_NOEXCEPT;
+
+typedef struct rt_environment {
+    uint32_t struct_size;
+    float ambient[3];    /* radiance that reaches every surface from everywhere */
+    float background[3]; /* radiance of rays that leave the scene */
+    uint32_t reserved;   /* 0 */
+} rt_environment;
+
+static inline rt_environment rt_default_environment(void) {
+    rt_environment environment;
+    memset(&environment, 0, sizeof environment);
+    environment.struct_size = (uint32_t)sizeof environment;
+    environment.ambient[0] = environment.ambient[1] = environment.ambient[2] = 0.1f;
+    return environment;
+}
+
+RT_EXPORT rt_result rt_set_environment(rt_scene scene,
+                                       const rt_environment* environment) RT_NOEXCEPT;
+
+/* ------------------------------------------------------------------------------------- commit */
+
+/* Called now and then from the thread that commits, with the fraction done, 0 to 1, not falling.
+ * Return 0 to go on; anything else cancels. */
+typedef int32_t (*rt_progress_function)(void* user, float fraction);
+
+typedef struct rt_commit_desc {
+    uint32_t struct_size;
+    float
+        empty_bonus; /* 0 to 1: the SAH cost of a kd-tree split that cuts off empty space is
+                        multiplied by 1 - empty_bonus (Wald and Havran 2006 use 0.2). Default 0. */
+    rt_progress_function progress; /* null: none */
+    void* progress_user;
+} rt_commit_desc;
+
+static inline rt_commit_desc rt_default_commit_desc(void) {
+    rt_commit_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    return desc;
+}
+
+/* Bits of rt_commit_report.left_out: what the scene does not have and the pipeline therefore skips.
+ */
+enum {
+    RT_FEATURE_TEXTURES = 1u << 0,
+    RT_FEATURE_NORMAL_MAPS = 1u << 1,
+    RT_FEATURE_EMISSIVE = 1u << 2,
+    RT_FEATURE_ALPHA_MASK = 1u << 3,
+    RT_FEATURE_SPECULAR = 1u << 4,
+    RT_FEATURE_LIGHTS = 1u << 5,
+    RT_FEATURE_SHADOWS = 1u << 6,
+    RT_FEATURE_DYNAMIC_MESHES = 1u << 7,
+    RT_FEATURE_SINGLE_SIDED = 1u << 8
+};
+
+typedef struct rt_commit_report {
+    uint32_t struct_size;
+    uint32_t left_out;         /* RT_FEATURE_* */
+    uint64_t triangle_count;   /* in the snapshot */
+    uint64_t degenerate_count; /* left out: without area */
+    uint64_t non_finite_count; /* left out: a vertex not finite or beyond 1e30 */
+    uint64_t bytes_triangles;  /* the records that rays are tested against */
+    uint64_t bytes_nodes;      /* the tree */
+    uint64_t bytes_references; /* the tree's leaves */
+    uint64_t bytes_attributes; /* positions, normals, texcoords, tangents, indices, materials */
+    uint64_t bytes_textures;
+    uint64_t tree_nodes;
+    uint64_t tree_leaves;
+    uint64_t tree_empty_leaves;
+    uint64_t tree_references; /* triangles in leaves, counted with repetition */
+    uint32_t tree_max_depth;
+    uint32_t tree_depth_limit; /* enforced by the builder */
+    double tree_sah_cost;      /* expected cost of a ray through the bounds, in triangle tests */
+    double build_ms;           /* wall time of the structure alone */
+    double commit_ms;          /* wall time of the whole call */
+    uint32_t light_count;
+    uint32_t rebuilt; /* 0: the geometry had not changed and its structure was kept */
+} rt_commit_report;
+
+static inline rt_commit_report rt_default_commit_report(void) {
+    rt_commit_report report;
+    memset(&report, 0, sizeof report);
+    report.struct_size = (uint32_t)sizeof report;
+    return report;
+}
+
+/* Builds a snapshot of what is described and publishes it: every query and frame that begins after
+ * the return sees it. Those that run on go on with the old one, which is freed later. On any
+ * error the previous snapshot stays. desc and out_report may be null. Errors: INVALID_ARGUMENT (a
+ * material names a removed texture), LIMIT (more than 2^27 triangles in all), OUT_OF_MEMORY,
+ * CANCELLED. Thread safety: one describing thread at a time; queries and frames may run. */
+RT_EXPORT rt_result rt_commit_scene(rt_scene scene, const rt_commit_desc* desc,
+                                    rt_commit_report* out_report) RT_NOEXCEPT;
+
+/* -------------------------------------------------------------------------------------- query */
+
+/* A ray, or a segment: the points origin + t direction with t_min <= t <= t_max, ends included. */
+typedef struct rt_ray {
+    float origin[3];
+    float t_min;
+    float direction[3];
+    float t_max; /* may be +infinity; t_max < t_min: an empty segment, never a hit */
+} rt_ray;
+
+/* A miss has t = +infinity, a null mesh and triangle RT_NO_TRIANGLE. The barycentrics weigh vertex
+ * 1 (u) and vertex 2 (v) of the triangle; vertex 0 weighs 1 - u - v. */
+typedef struct rt_hit {
+    float t, u, v;
+    uint32_t triangle; /* the host's own index in the mesh */
+    rt_mesh mesh;
+    uint32_t instance;  /* 0 */
+    uint32_t back_face; /* 1 if the ray came from behind (clockwise) */
+} rt_hit;
+
+#define RT_NO_TRIANGLE 0xffffffffu
+
+typedef int32_t rt_query_kind;
+enum {
+    RT_QUERY_CLOSEST = 0, /* the hit with the smallest t; of equal ones the smallest
+                             (mesh.index, triangle) */
+    RT_QUERY_ANY = 1      /* whether there is a hit at all */
+};
+
+typedef int32_t rt_faces;
+enum { RT_FACES_BOTH = 0, RT_FACES_FRONT = 1, RT_FACES_BACK = 2 };
+
+enum {
+    RT_QUERY_ALPHA_TEST = 1u << 0 /* pass through where a masked material is absent */
+};
+
+typedef struct rt_query_desc {
+    uint32_t struct_size;
+    rt_query_kind kind;
+    const rt_ray* rays;
+    uint64_t ray_count;     /* 0 is allowed and does nothing */
+    uint32_t ray_stride;    /* bytes; 0: 32 */
+    uint32_t result_stride; /* bytes; 0: 32 for hits, 1 for occluded */
+    rt_hit* hits;           /* RT_QUERY_CLOSEST: one a ray */
+    uint8_t* occluded;      /* RT_QUERY_ANY: one a ray, 1 or 0 */
+    rt_faces faces;
+    uint32_t layer_mask;
+    rt_mesh ignore_mesh; /* null: none */
+    uint32_t flags;      /* RT_QUERY_* bits */
+    uint32_t reserved;   /* 0 */
+} rt_query_desc;
+
+static inline rt_query_desc rt_default_query_desc(void) {
+    rt_query_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.layer_mask = 0xffffffffu;
+    return desc;
+}
+
+/* Answers one ray or a million. The answer depends on the geometry and the ray alone: not on the
+ * batch, the tree, the instruction set or the number of threads. Starting on or inside a
+ * surface: hits with t >= t_min count, whatever side they are seen from. Errors: INVALID_ARGUMENT
+ * (a component that is NaN, an origin beyond 1e30 in magnitude or infinite, a direction of length
+ * zero or infinite; the ray is named), INVALID_HANDLE (the scene), INVALID_STRUCT, NOT_COMMITTED.
+ * A stale ignore_mesh ignores nothing. Thread safety: any thread, any time. Runs on the calling
+ * thread. */
+RT_EXPORT rt_result rt_trace_query(rt_scene scene, const rt_query_desc* desc) RT_NOEXCEPT;
+
+/* What lies at a hit. */
+typedef struct rt_surface {
+    double position[3];        /* from the barycentrics: on the triangle to rounding */
+    float geometric_normal[3]; /* unit; counter-clockwise side */
+    float shading_normal[3];   /* unit; interpolated, without normal map */
+    float texcoord[2];
+    rt_material material; /* null: the default material */
+    uint64_t material_user_data;
+    uint64_t mesh_user_data;
+} rt_surface;
+
+/* Resolves hits (strides in bytes, 0: packed). A miss gives all zeros. Errors: INVALID_HANDLE (a
+ * mesh that the current snapshot does not have), INVALID_ARGUMENT (a triangle out of range). Thread
+ * safety: any thread, any time. */
+RT_EXPORT rt_result rt_resolve_hits(rt_scene scene, const rt_hit* hits, uint64_t count,
+                                    uint32_t hit_stride, rt_surface* out_surfaces,
+                                    uint32_t surface_stride) RT_NOEXCEPT;
+
+/* -------------------------------------------------------------------------------------- frame */
+
+typedef struct rt_camera {
+    uint32_t struct_size;
+    float vertical_fov; /* radians, in (0, pi) */
+    double position[3];
+    float forward[3]; /* any length but zero */
+    float up[3];      /* not parallel to forward */
+} rt_camera;
+
+static inline rt_camera rt_default_camera(void) {
+    rt_camera camera;
+    memset(&camera, 0, sizeof camera);
+    camera.struct_size = (uint32_t)sizeof camera;
+    camera.vertical_fov = 1.0471976f;
+    camera.forward[2] = -1.0f;
+    camera.up[1] = 1.0f;
+    return camera;
+}
+
+typedef int32_t rt_view;
+enum {
+    RT_VIEW_SHADED = 0,
+    RT_VIEW_NORMALS = 1, /* 0.5 n + 0.5 of the shading normal */
+    RT_VIEW_DEPTH = 2,   /* near is bright; `depth_range` is black */
+    RT_VIEW_STEPS =
+        3 /* tree nodes visited by the primary ray as a heat map; `steps_range` is white */
+};
+
+typedef int32_t rt_tone_mapping;
+enum {
+    RT_TONE_FILMIC = 0, /* exposure, then a rational curve that reaches 1 smoothly */
+    RT_TONE_CLAMP = 1,  /* exposure, then a cut at 1 */
+    RT_TONE_NONE = 2    /* radiance as it is; float formats only, ignores exposure */
+};
+
+typedef struct rt_frame_desc {
+    uint32_t struct_size;
+    rt_pixel_format format; /* RGBA8_SRGB, BGRA8_SRGB, RGBA16F or RGBA32F (these two linear) */
+    void* pixels;           /* height rows of width pixels, top row first; alpha is 1 */
+    uint64_t row_stride;    /* bytes; 0: tightly packed */
+    uint32_t width, height; /* 1 to 16384 each */
+    rt_view view;
+    rt_tone_mapping tone_mapping;
+    float exposure;      /* multiplies radiance; > 0 */
+    float depth_range;   /* metres */
+    float steps_range;   /* nodes */
+    uint32_t no_shadows; /* 1: lights shine through everything */
+} rt_frame_desc;
+
+static inline rt_frame_desc rt_default_frame_desc(void) {
+    rt_frame_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.exposure = 1.0f;
+    desc.depth_range = 50.0f;
+    desc.steps_range = 100.0f;
+    return desc;
+}
+
+typedef struct rt_frame_stats {
+    uint32_t struct_size;
+    uint32_t threads; /* that could work on the frame */
+    uint64_t rays_primary;
+    uint64_t rays_shadow;
+    double frame_ms; /* wall time of the call */
+    rt_isa isa;      /* of the kernels */
+    uint32_t reserved;
+} rt_frame_stats;
+
+static inline rt_frame_stats rt_default_frame_stats(void) {
+    rt_frame_stats stats;
+    memset(&stats, 0, sizeof stats);
+    stats.struct_size = (uint32_t)sizeof stats;
+    return stats;
+}
+
+/* Renders into the caller's memory and returns when the frame is complete. out_stats may be null.
+ * Errors: INVALID_ARGUMENT, INVALID_HANDLE, INVALID_STRUCT, NOT_COMMITTED, OUT_OF_MEMORY.
+ * Thread safety: any thread, any time; frames of one scene that overlap share its threads. */
+RT_EXPORT rt_result rt_render_frame(rt_scene scene, const rt_camera* camera,
+                                    const rt_frame_desc* frame,
+                                    rt_frame_stats* out_stats) RT_NOEXCEPT;
+
+/* -------------------------------------------------------------------------------------- stats */
+
+typedef struct rt_scene_stats {
+    uint32_t struct_size;
+    uint32_t threads; /* that commits and frames use */
+    uint32_t mesh_count, material_count, texture_count, light_count; /* described now */
+    uint64_t snapshot_version; /* successful commits so far; 0: none */
+    uint32_t snapshots_alive;  /* current and not yet freed */
+    rt_isa isa;
+    uint64_t bytes_allocated; /* now, through the allocator */
+    uint64_t bytes_peak;
+    uint64_t allocation_count; /* so far */
+} rt_scene_stats;
+
+static inline rt_scene_stats rt_default_scene_stats(void) {
+    rt_scene_stats stats;
+    memset(&stats, 0, sizeof stats);
+    stats.struct_size = (uint32_t)sizeof stats;
+    return stats;
+}
+
+/* Thread safety: with the calls that describe the scene. */
+RT_EXPORT rt_result rt_get_scene_stats(rt_scene scene, rt_scene_stats* out_stats) RT_NOEXCEPT;
+
+/* ------------------------------------------------------------------------- loading by hand */
+
+/* The same functions as a table. It only ever grows at its end: struct_size tells how far. */
+typedef struct rt_api {
+    uint32_t struct_size;
+    uint32_t version;
+    const char* (*get_last_error)(void);
+    const char* (*get_result_name)(rt_result result);
+    const char* (*get_version_string)(void);
+    rt_result (*create_scene)(const rt_scene_desc* desc, rt_scene* out_scene);
+    rt_result (*destroy_scene)(rt_scene scene);
+    rt_result (*add_texture)(rt_scene scene, const rt_texture_desc* desc, rt_texture* out_texture);
+    rt_result (*remove_texture)(rt_scene scene, rt_texture texture);
+    rt_result (*add_material)(rt_scene scene, const rt_material_desc* desc,
+                              rt_material* out_material);
+    rt_result (*update_material)(rt_scene scene, rt_material material,
+                                 const rt_material_desc* desc);
+    rt_result (*remove_material)(rt_scene scene, rt_material material);
+    rt_result (*add_static_mesh)(rt_scene scene, const rt_mesh_desc* desc, rt_mesh* out_mesh);
+    rt_result (*add_dynamic_mesh)(rt_scene scene, const rt_mesh_desc* desc, rt_mesh* out_mesh);
+    rt_result (*update_dynamic_mesh)(rt_scene scene, rt_mesh mesh, const rt_mesh_update* update);
+    rt_result (*remove_mesh)(rt_scene scene, rt_mesh mesh);
+    rt_result (*add_light)(rt_scene scene, const rt_light_desc* desc, rt_light* out_light);
+    rt_result (*update_light)(rt_scene scene, rt_light light, const rt_light_desc* desc);
+    rt_result (*remove_light)(rt_scene scene, rt_light light);
+    rt_result (*set_environment)(rt_scene scene, const rt_environment* environment);
+    rt_result (*commit_scene)(rt_scene scene, const rt_commit_desc* desc,
+                              rt_commit_report* out_report);
+    rt_result (*trace_query)(rt_scene scene, const rt_query_desc* desc);
+    rt_result (*resolve_hits)(rt_scene scene, const rt_hit* hits, uint64_t count,
+                              uint32_t hit_stride, rt_surface* out_surfaces,
+                              uint32_t surface_stride);
+    rt_result (*render_frame)(rt_scene scene, const rt_camera* camera, const rt_frame_desc* frame,
+                              rt_frame_stats* out_stats);
+    rt_result (*get_scene_stats)(rt_scene scene, rt_scene_stats* out_stats);
+} rt_api;
+
+/* The table for hosts that load the library by hand; look this one symbol up. `version` is the
+ * RT_API_VERSION that the host was compiled with. Returns null for a version that this library does
+ * not speak. Static storage. Thread safety: any thread, any time. */
+RT_EXPORT const rt_api* rt_get_api(uint32_t version) RT_NOEXCEPT;
+typedef const rt_api* (*rt_get_api_function)(uint32_t version);
+
+#if defined(__cplusplus)
+}
+#endif
+
+#endif /* PEREGRINE_RT_H */

@@ -1,0 +1,66 @@
+// peregrine_bench: the figures of README.md and docs/, measured again.
+#include "commands.h"
+
+#include "support/world.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <thread>
+
+namespace {
+
+using peregrine::bench::Options;
+
+void write_json(const Options& options, const std::string& rows) {
+    std::ofstream file(options.json);
+    file << "{\"machine\": {\"threads\": " << std::thread::hardware_concurrency()
+         << "}, \"rows\": " << rows << "}\n";
+    if (!file) throw std::runtime_error("cannot write " + options.json);
+}
+
+void add_options(CLI::App& command, Options& options) {
+    command.add_option("--scene", options.scenes,
+                       "Scene files (.glb, .gltf); default: our hall and those of "
+                       "$PEREGRINE_SCENES or ../shared/scenes");
+    command.add_option("--threads", options.threads, "Threads")->capture_default_str();
+    command.add_option("--passes", options.passes, "Passes; medians are printed")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    command.add_option("--json", options.json, "Write the rows to this file as well");
+}
+
+int run(int argc, char** argv) {
+    Options options;
+    CLI::App app("Measures Peregrine, beside its peers where they are installed.");
+    app.require_subcommand(1);
+    CLI::App* build = app.add_subcommand("build", "kd-tree build time and memory");
+    CLI::App* frame = app.add_subcommand("frame", "frames through the header");
+    CLI::App* door = app.add_subcommand("door", "what a query costs beyond the bare traversal");
+    for (CLI::App* command : {build, frame, door}) add_options(*command, options);
+    build->add_option("--peer", options.peers, "Peers: embree")->delimiter(',');
+    frame->add_option("--size", options.size, "Width and height")->capture_default_str();
+    for (CLI::App* command : {frame, door})
+        command->add_option("--library", options.library,
+                            "The engine; default: libperegrine.so beside this program");
+    CLI11_PARSE(app, argc, argv);
+
+    if (options.scenes.empty()) options.scenes = peregrine::test::scene_files();
+    const std::string rows = *build   ? peregrine::bench::run_build(options)
+                             : *frame ? peregrine::bench::run_frame(options)
+                                      : peregrine::bench::run_door(options);
+    if (!options.json.empty()) write_json(options, rows);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "peregrine_bench: %s\n", error.what());
+        return 1;
+    }
+}
