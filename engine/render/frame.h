@@ -26,7 +26,7 @@ inline uint32_t bytes_per_pixel(PixelFormat format) {
 
 struct Frame {
     PixelFormat format = PixelFormat::rgba8_srgb;
-    void* pixels = nullptr;  // top row first, aligned to a channel
+    void* pixels = nullptr;  // top row first, of any alignment
     uint64_t row_stride = 0; // bytes; at least width pixels
     uint32_t width = 0;
     uint32_t height = 0;

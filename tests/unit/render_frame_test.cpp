@@ -161,6 +161,21 @@ TEST(RenderFrame, DoesNotDependOnHowTilesCutTheImage) {
     EXPECT_LT(difference / (32 * 32), 1e-3);
 }
 
+TEST(RenderFrame, AllocatesOnceAFrameAndNotPerTile) {
+    RenderScene world(2);
+    furnish(world);
+    take_picture(world, Camera{}, 8, 8);
+    const scene::SnapshotStore::Pin pin(world.scene.snapshots);
+    Frame frame = test::float_frame(300, 300);
+    std::vector<float> pixels(300 * 300 * 4);
+    frame.pixels = pixels.data();
+    const uint64_t before = world.scene.memory.allocations();
+    const uint64_t bytes = world.scene.memory.bytes();
+    render_frame(*pin.get(), Camera{}, frame, world.scene.scheduler, &world.scene.memory, nullptr);
+    EXPECT_EQ(world.scene.memory.allocations() - before, 2u) << "lights, and workers";
+    EXPECT_EQ(world.scene.memory.bytes(), bytes);
+}
+
 TEST(Views, ShowNormalsDepthAndSteps) {
     RenderScene world;
     world.add_quad({-9, -9, -10}, {9, -9, -10}, {9, 0, -10}, {-9, 0, -10}, world.add(white()));

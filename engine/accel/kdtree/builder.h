@@ -12,7 +12,7 @@ namespace peregrine::accel::kdtree {
 
 struct BuildOptions {
     float traversal_cost = 1.0f;    // of a node, ...
-    float intersection_cost = 1.5f; // ... of a triangle
+    float intersection_cost = 2.0f; // ... of a triangle
     float empty_bonus = 0.0f;       // cost of a split that cuts off empty space: times 1 - this
 };
 
