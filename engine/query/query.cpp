@@ -12,15 +12,20 @@ namespace {
 constexpr float kLargestOrigin = 1e30f;
 constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
-// Comparisons with NaN are false. No short circuits: one branch a ray.
+// 1 or 0; a comparison with NaN is false. Numbers instead of bools: one branch a ray, not eleven.
+uint32_t within(float x, float limit) {
+    return std::fabs(x) <= limit;
+}
+
 bool is_valid(const math::Ray& ray) {
-    const float x = std::fabs(ray.direction.x);
-    const float y = std::fabs(ray.direction.y);
-    const float z = std::fabs(ray.direction.z);
-    return (std::fabs(ray.origin.x) <= kLargestOrigin) & (std::fabs(ray.origin.y) <= kLargestOrigin)
-           & (std::fabs(ray.origin.z) <= kLargestOrigin) & (x <= kLargestFloat)
-           & (y <= kLargestFloat) & (z <= kLargestFloat) & ((x > 0) | (y > 0) | (z > 0))
-           & (ray.t_min == ray.t_min) & (ray.t_max == ray.t_max);
+    const math::Vec3 &o = ray.origin, &d = ray.direction;
+    const uint32_t origin =
+        within(o.x, kLargestOrigin) & within(o.y, kLargestOrigin) & within(o.z, kLargestOrigin);
+    const uint32_t direction =
+        within(d.x, kLargestFloat) & within(d.y, kLargestFloat) & within(d.z, kLargestFloat);
+    const uint32_t length = uint32_t(d.x != 0) | uint32_t(d.y != 0) | uint32_t(d.z != 0);
+    const uint32_t range = uint32_t(ray.t_min == ray.t_min) & uint32_t(ray.t_max == ray.t_max);
+    return (origin & direction & length & range) != 0;
 }
 
 [[noreturn]] void reject(uint64_t index, const math::Ray& ray) {

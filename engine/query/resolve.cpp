@@ -43,7 +43,7 @@ Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit) {
     const auto& corners = data.triangles[hit.triangle];
     const double weights[3] = {1.0 - double(hit.u) - double(hit.v), double(hit.u), double(hit.v)};
     const auto blend = [&](const auto& values, auto zero) {
-        for (int k = 0; k < 3; ++k) zero += weights[k] * decltype(zero)(values[corners[k]]);
+        for (size_t k = 0; k < 3; ++k) zero += weights[k] * decltype(zero)(values[corners[k]]);
         return zero;
     };
     const math::Vec3d v0 = data.positions[corners[0]];

@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.25)
 # What leaves the library and what it needs: -DLIBRARY=... -DNM=... -DREADELF=... [-DSANITIZED=1]
 function(run out)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)

@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.25)
 # The layout that PROGRAM prints is the GOLDEN one, and names every struct of HEADER.
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE layout COMMAND_ERROR_IS_FATAL ANY)
 file(READ ${GOLDEN} golden)

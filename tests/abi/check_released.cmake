@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.25)
 # Every struct of a RELEASED layout lives on in the one that PROGRAM prints: its fields are where
 # they were, and only a struct that carries its size may have grown.
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE layout COMMAND_ERROR_IS_FATAL ANY)

@@ -26,6 +26,8 @@ cmake --build "$work/consumer/build" >/dev/null
 "$work/consumer/build/example" | tee "$work/by_cmake"
 grep -q '^the floor is 3 m below, triangle 0$' "$work/by_cmake" ||
     { echo "the example gave another answer"; exit 1; }
+grep -q '^the middle of the picture is 0 0 0$' "$work/by_cmake" &&
+    { echo "the example renders a black picture"; exit 1; }
 
 export PKG_CONFIG_PATH=$library/pkgconfig
 # shellcheck disable=SC2046
