@@ -7,6 +7,7 @@
 #include "scene_table.h"
 
 #include <cstddef>
+#include <cstring>
 
 namespace peregrine::abi {
 namespace {
@@ -98,7 +99,34 @@ const scene::Snapshot& require_snapshot(const scene::SnapshotStore::Pin& pin) {
     return *pin.get();
 }
 
-void trace(const HostScene& host, const rt_query_desc& desc) {
+// One ray, everything visible, nothing unusual: what most calls from gameplay code are.
+bool is_plain(const rt_query_desc& desc) {
+    const uint32_t unusual = uint32_t(desc.faces) | desc.flags | desc.reserved | ~desc.layer_mask
+                             | desc.ignore_mesh.generation | desc.ray_stride | desc.result_stride;
+    return desc.ray_count == 1 && unusual == 0;
+}
+
+// False: ask the long way, which also finds the words for what is wrong.
+bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
+    if (!is_plain(desc) || !desc.rays) return false;
+    const bool closest = desc.kind == RT_QUERY_CLOSEST && desc.hits;
+    if (!closest && !(desc.kind == RT_QUERY_ANY && desc.occluded)) return false;
+    const scene::SnapshotStore::Pin pin(host.scene.snapshots);
+    if (!pin.get()) return false;
+    math::Ray ray;
+    std::memcpy(&ray, desc.rays, sizeof ray);
+    query::check_ray(ray);
+    if (closest) {
+        const query::Hit hit = query::closest_hit(*pin.get(), ray);
+        std::memcpy(static_cast<void*>(desc.hits), &hit, sizeof hit);
+    } else {
+        *desc.occluded = query::occluded(*pin.get(), ray);
+    }
+    return true;
+}
+
+// Apart from the short way, so that its registers and stack cost that one nothing.
+[[gnu::noinline]] void trace_any(const HostScene& host, const rt_query_desc& desc) {
     const query::Selection selection = to_selection(desc);
     if (desc.ray_count == 0) return;
     const auto rays = strided<math::Ray>(desc.rays, desc.ray_count, desc.ray_stride,
@@ -121,6 +149,10 @@ void trace(const HostScene& host, const rt_query_desc& desc) {
     }
 }
 
+[[gnu::noinline]] void trace_read(const HostScene& host, const rt_query_desc* desc) {
+    trace_any(host, read_struct(desc));
+}
+
 } // namespace
 } // namespace peregrine::abi
 
@@ -130,7 +162,10 @@ using namespace peregrine::abi;
 rt_result rt_trace_query(rt_scene scene, const rt_query_desc* desc) noexcept {
     return guard([&] {
         const HostScene& host = find_scene(scene);
-        with_struct(desc, [&](const rt_query_desc& fields) { abi::trace(host, fields); });
+        if (!desc || desc->struct_size != sizeof *desc) [[unlikely]]
+            trace_read(host, desc);
+        else if (!trace_plain(host, *desc))
+            trace_any(host, *desc);
     });
 }
 

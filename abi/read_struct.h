@@ -45,15 +45,6 @@ Struct read_struct(const Struct* host_struct) {
     return fields;
 }
 
-// As above, without a copy when host and library agree on the size; `use` is called at once.
-template <class Struct, class Use>
-void with_struct(const Struct* host_struct, Use&& use) {
-    if (host_struct && host_struct->struct_size == sizeof(Struct)) [[likely]]
-        use(*host_struct);
-    else
-        use(read_struct(host_struct));
-}
-
 // A struct that the library fills, checked before the work and written after it. Null: not wanted.
 template <class Struct>
 class Output {

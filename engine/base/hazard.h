@@ -1,12 +1,38 @@
 #pragma once
 
+#include "base/error.h"
+
 #include <atomic>
+#include <cstdint>
 
 // Hazard pointers (Michael 2004): a reader announces the object that it reads, a writer frees only
 // what nobody announces. Reading costs two plain stores and two loads, all on lines that no other
 // thread writes; the price, a barrier in every running thread of the process, is the writer's
 // (membarrier(2); elsewhere the reader pays for a fence).
 namespace peregrine::base {
+
+namespace detail {
+
+inline constexpr uint32_t kHazardSlots = 8;
+
+// One a thread, never freed, used again by later threads.
+struct alignas(64) HazardRecord {
+    std::atomic<const void*> slots[kHazardSlots] = {};
+    uint32_t used = 0; // slots; its thread's own
+    std::atomic<bool> taken{true};
+    HazardRecord* next = nullptr;
+};
+
+// A plain pointer, so that reading it needs neither a guard nor a call.
+#if defined(__linux__)
+[[gnu::tls_model("initial-exec")]]
+#endif
+extern constinit thread_local HazardRecord* this_record;
+extern const bool has_membarrier;
+
+HazardRecord* first_record_of_thread();
+
+} // namespace detail
 
 class Hazard {
 public:
@@ -39,9 +65,25 @@ public:
 private:
     using Slot = std::atomic<const void*>;
 
-    static Slot& acquire_slot();
-    static void release_slot(Slot& slot);
-    static void reader_barrier();
+    static Slot& acquire_slot() {
+        detail::HazardRecord* record = detail::this_record;
+        if (!record) [[unlikely]]
+            record = detail::first_record_of_thread();
+        if (record->used == detail::kHazardSlots) [[unlikely]]
+            fail(Code::limit, "more than %u queries of one thread are inside one another",
+                 detail::kHazardSlots);
+        return record->slots[record->used++];
+    }
+    static void release_slot(Slot& slot) {
+        slot.store(nullptr, std::memory_order_release);
+        --detail::this_record->used;
+    }
+    static void reader_barrier() {
+        if (detail::has_membarrier) [[likely]]
+            std::atomic_signal_fence(std::memory_order_seq_cst);
+        else
+            std::atomic_thread_fence(std::memory_order_seq_cst);
+    }
 
     Slot& slot_;
     const void* object_;

@@ -46,6 +46,11 @@ struct Selection {
     bool alpha_test = false;
 };
 
+// One ray that may hit anything: the short way. The ray has been checked.
+void check_ray(const math::Ray& ray);
+Hit closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray);
+bool occluded(const scene::Snapshot& snapshot, const math::Ray& ray);
+
 // Throws base::Error invalid_argument that names the first ray which is not one: a component NaN,
 // an origin infinite or beyond 1e30, a direction infinite or zero.
 void check_rays(const Strided<math::Ray>& rays);

@@ -196,6 +196,7 @@ CommitReport Scene::commit(const CommitOptions& options) {
     snapshot.version = version_ + 1;
     snapshot.features = features_of(snapshot);
     snapshot.geometry = current_geometry(snapshot, options);
+    snapshot.target = snapshot.geometry->target();
     if (options.progress.cancels(1.0f))
         base::fail(base::Code::cancelled, "the commit was cancelled by its progress callback");
 

@@ -24,6 +24,10 @@ struct Geometry {
     accel::kdtree::Tree tree;
     uint64_t degenerate_count = 0;
     uint64_t non_finite_count = 0;
+
+    trace::Target target() const {
+        return {triangles.data(), tree.nodes.data(), tree.references.data(), tree.bounds};
+    }
 };
 
 // A frozen world: what queries and frames read. Never changes after its commit.
@@ -47,6 +51,7 @@ struct Snapshot {
     }
 
     std::shared_ptr<const Geometry> geometry;
+    trace::Target target{};                                // into `geometry`
     base::Vector<Mesh> meshes;                             // by slot
     base::Vector<uint32_t> layer_masks;                    // by slot, for the kernels
     base::Vector<Material> materials;                      // 0 is the default material
@@ -56,11 +61,6 @@ struct Snapshot {
     uint32_t features = 0; // Feature bits that the scene has
     uint64_t version = 0;
     const trace::Kernels* kernels = nullptr;
-
-    trace::Target target() const {
-        return {geometry->triangles.data(), geometry->tree.nodes.data(),
-                geometry->tree.references.data(), geometry->tree.bounds};
-    }
 };
 
 } // namespace peregrine::scene

@@ -20,7 +20,7 @@ Shader Shader::prepare(const scene::Snapshot& snapshot, uint32_t features, bool 
     shader.snapshot = &snapshot;
     shader.kernels = &shade::kernels(snapshot.kernels->isa);
     shader.lights = lights;
-    shader.target = snapshot.target();
+    shader.target = snapshot.target;
     shader.shadow_filter.alpha = scene::alpha_test(snapshot);
     shader.intersection_error = shade::intersection_error(shader.target.bounds);
     shader.features = features;
