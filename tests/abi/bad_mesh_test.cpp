@@ -110,7 +110,7 @@ TEST_F(BadMesh, Indices) {
     rt_mesh_desc desc = quad_.desc();
     desc.indices = {};
     refuse(desc, RT_ERROR_INVALID_ARGUMENT, "rt_mesh_desc.indices is absent");
-    for (const uint64_t count : {1, 2, 4, 5}) {
+    for (const uint64_t count : {1u, 2u, 4u, 5u}) {
         desc.indices = array_of(quad_.indices, count);
         refuse(desc, RT_ERROR_INVALID_ARGUMENT,
                "rt_mesh_desc.indices.count is " + std::to_string(count));

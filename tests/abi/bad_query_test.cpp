@@ -6,11 +6,13 @@ namespace peregrine::test {
 namespace {
 
 constexpr size_t kRays = 5;
+constexpr rt_ray kGoodRay = {{0, 5, 0}, 0, {0, -1, 0}, 100};
+constexpr rt_hit kUnwritten = {-7, -7, -7, 7, {7, 7}, 7, 7};
 
 // Five good rays with canaries in front of the answers.
 struct Query {
-    std::vector<rt_ray> rays = std::vector<rt_ray>(kRays, {{0, 5, 0}, 0, {0, -1, 0}, 100});
-    std::vector<rt_hit> hits = std::vector<rt_hit>(kRays, {-7, -7, -7, 7, {7, 7}, 7, 7});
+    std::vector<rt_ray> rays = std::vector<rt_ray>(kRays, kGoodRay);
+    std::vector<rt_hit> hits = std::vector<rt_hit>(kRays, kUnwritten);
     std::vector<uint8_t> occluded = std::vector<uint8_t>(kRays, 7);
     rt_query_desc desc = rt_default_query_desc();
 
@@ -153,6 +155,61 @@ TEST_F(BadQuery, Resolve) {
     EXPECT_OK(rt_resolve_hits(scene(), nullptr, 0, 0, nullptr, 0));
 }
 
+// One ray takes a short way through the door: with the same answers and the same refusals.
+TEST_F(BadQuery, ASingleRayIsTreatedAsInABatch) {
+    const std::vector<rt_ray> rays = world_rays();
+    std::vector<rt_hit> hits(rays.size());
+    std::vector<uint8_t> occluded(rays.size());
+    rt_query_desc batch = rt_default_query_desc();
+    batch.rays = rays.data();
+    batch.ray_count = rays.size();
+    batch.hits = hits.data();
+    batch.occluded = occluded.data();
+    ASSERT_OK(rt_trace_query(scene(), &batch));
+    batch.kind = RT_QUERY_ANY;
+    ASSERT_OK(rt_trace_query(scene(), &batch));
+    for (size_t i = 0; i < rays.size(); ++i) {
+        Bytes odd(1 + 32 + 32); // a ray and a hit at odd addresses
+        std::memcpy(&odd[1], &rays[i], 32);
+        uint8_t any = 2;
+        rt_query_desc one = rt_default_query_desc();
+        one.rays = reinterpret_cast<const rt_ray*>(&odd[1]);
+        one.ray_count = 1;
+        one.hits = reinterpret_cast<rt_hit*>(&odd[33]);
+        one.occluded = &any;
+        ASSERT_OK(rt_trace_query(scene(), &one));
+        EXPECT_EQ(std::memcmp(&odd[33], &hits[i], 32), 0) << i;
+        one.kind = RT_QUERY_ANY;
+        ASSERT_OK(rt_trace_query(scene(), &one));
+        EXPECT_EQ(any, occluded[i]) << i;
+    }
+}
+
+TEST_F(BadQuery, ASingleRayIsRefusedAsInABatch) {
+    const auto refuse_one = [&](auto&& spoil, const std::string& words) {
+        refuse_both(
+            [&](Query& q) {
+                q.desc.ray_count = 1;
+                spoil(q);
+            },
+            RT_ERROR_INVALID_ARGUMENT, words);
+    };
+    for (int k = 0; k < 3; ++k)
+        for (const float value : {kNan, kInfinity, -kInfinity}) {
+            refuse_one([&](Query& q) { q.rays[0].origin[k] = value; }, "ray 0: origin");
+            refuse_one([&](Query& q) { q.rays[0].direction[k] = value; }, "ray 0: direction");
+        }
+    refuse_one([](Query& q) { q.rays[0].origin[1] = -1.1e30f; }, "ray 0: origin y");
+    refuse_one([](Query& q) { q.rays[0].t_min = kNan; }, "ray 0: t_min");
+    refuse_one([](Query& q) { q.rays[0].t_max = kNan; }, "ray 0: t_max");
+    refuse_one([](Query& q) { q.rays[0].direction[1] = -0.0f; }, "ray 0: the direction is zero");
+    refuse_one([](Query& q) { q.desc.rays = nullptr; }, "rt_query_desc.rays is null");
+    refuse_one([](Query& q) { q.desc.kind = 2; }, "rt_query_desc.kind is 2");
+    refuse_one([](Query& q) { q.desc.reserved = 4; }, "rt_query_desc.reserved is 4");
+    refuse_one([](Query& q) { q.desc.ray_stride = 16; }, "ray_stride is 16");
+    refuse_one([](Query& q) { q.desc.hits = nullptr, q.desc.occluded = nullptr; }, "is null");
+}
+
 // Records 41 bytes apart from an odd address, and not a byte between them written.
 TEST_F(BadQuery, StridesAndOddAddressesAreFine) {
     constexpr uint32_t kStride = 41;
@@ -182,6 +239,8 @@ TEST(Uncommitted, QueriesAndFramesAreRefused) {
     const rt_scene_desc desc = rt_default_scene_desc();
     ASSERT_OK(rt_create_scene(&desc, &scene));
     Query query(RT_QUERY_ANY);
+    EXPECT_EQ(rt_trace_query(scene, &query.desc), RT_ERROR_NOT_COMMITTED);
+    query.desc.ray_count = 1;
     EXPECT_EQ(rt_trace_query(scene, &query.desc), RT_ERROR_NOT_COMMITTED);
     EXPECT_TRUE(query.unwritten());
     rt_surface surface;

@@ -22,8 +22,8 @@
  * Errors: every call that can fail returns an rt_result. RT_OK is 0. After anything else, the
  * state is as it was before the call, no output was written, and rt_get_last_error() gives this
  * thread's sentence about the cause. The library throws nothing, prints nothing, installs no
- * signal handler and leaves the floating-point environment alone; it expects the default one (round to
- * nearest, denormals not flushed).
+ * signal handler and leaves the floating-point environment alone; it expects the default one (round
+ * to nearest, denormals not flushed).
  *
  * Versions: a struct that begins with struct_size may grow at its end. The rt_default_* functions
  * below fill in the size that your program was compiled with; fields that your header does not
@@ -134,7 +134,14 @@ typedef void (*rt_log_function)(void* user, rt_log_level level, const char* mess
 
 /* The instruction set that the kernels of a scene use. Every choice gives the same bits. */
 typedef int32_t rt_isa;
-enum { RT_ISA_BEST = 0, RT_ISA_SSE4 = 1, RT_ISA_AVX2 = 2, RT_ISA_AVX512 = 3, RT_ISA_SCALAR = 4, RT_ISA_NEON = 5 };
+enum {
+    RT_ISA_BEST = 0,
+    RT_ISA_SSE4 = 1,
+    RT_ISA_AVX2 = 2,
+    RT_ISA_AVX512 = 3,
+    RT_ISA_SCALAR = 4,
+    RT_ISA_NEON = 5
+};
 
 typedef struct rt_scene_desc {
     uint32_t struct_size;
@@ -287,6 +294,8 @@ enum {
     RT_INDEX_NONE = 2 /* no indices: vertices 3i, 3i+1, 3i+2 are triangle i */
 };
 
+/* Normals, tangents and texture coordinates that are not finite count as zero; where a normal is
+ * zero, the face's own serves. */
 typedef struct rt_mesh_desc {
     uint32_t struct_size;
     rt_index_type index_type;
@@ -581,6 +590,8 @@ static inline rt_camera rt_default_camera(void) {
     return camera;
 }
 
+/* The views other than the shaded one ignore exposure and tone mapping; formats of 8 bits get their
+ * values as they are, without sRGB encoding. */
 typedef int32_t rt_view;
 enum {
     RT_VIEW_SHADED = 0,
