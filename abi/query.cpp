@@ -117,8 +117,7 @@ bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
     std::memcpy(&ray, desc.rays, sizeof ray);
     query::check_ray(ray);
     if (closest) {
-        const query::Hit hit = query::closest_hit(*pin.get(), ray);
-        std::memcpy(static_cast<void*>(desc.hits), &hit, sizeof hit);
+        query::closest_hit(*pin.get(), ray, reinterpret_cast<std::byte*>(desc.hits));
     } else {
         *desc.occluded = query::occluded(*pin.get(), ray);
     }

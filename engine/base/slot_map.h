@@ -9,7 +9,7 @@
 
 namespace peregrine::base {
 
-// A handle: {0, 0} is null, and generations begin at 1.
+// A handle: {0, 0} is null, and no generation is 0.
 struct Handle {
     uint32_t index = 0;
     uint32_t generation = 0;
@@ -19,22 +19,24 @@ struct Handle {
 };
 
 // Objects under handles. A removed object's slot is used again with the next generation, so an old
-// handle finds nothing.
+// handle finds nothing. `first_generation`, not 0, differs between scenes, so that neither does a
+// handle of another one.
 template <class T>
 class SlotMap {
 public:
     struct Slot {
-        uint32_t generation = 1;
+        uint32_t generation;
         std::optional<T> object;
     };
 
-    explicit SlotMap(Memory* memory) : slots_(memory), free_(memory) {}
+    SlotMap(uint32_t first_generation, Memory* memory)
+        : first_generation_(first_generation), slots_(memory), free_(memory) {}
 
     Handle insert(T object) {
         if (free_.empty()) {
             if (slots_.size() >= 0xfffffffeu) fail(Code::limit, "too many objects");
             free_.reserve(slots_.size() + 1); // so that erase never allocates
-            slots_.emplace_back();
+            slots_.push_back({first_generation_, std::nullopt});
             free_.push_back(uint32_t(slots_.size() - 1));
         }
         const uint32_t index = free_.back();
@@ -62,6 +64,7 @@ public:
     const Vector<Slot>& slots() const { return slots_; }
 
 private:
+    uint32_t first_generation_;
     Vector<Slot> slots_;
     Vector<uint32_t> free_; // indices of empty slots, the next one to use last
 };

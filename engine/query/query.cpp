@@ -14,32 +14,32 @@ namespace {
 constexpr float kLargestOrigin = 1e30f;
 constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
-// Four lanes, compared at once: a single query spends more on this than on a few nodes otherwise.
-using Float4 = float [[gnu::vector_size(16)]];
-using Int4 = int32_t [[gnu::vector_size(16)]];
-
-Int4 at_most(const float* values, const Float4& limits) {
-    Float4 v;
-    std::memcpy(&v, values, sizeof v);
-    return Int4(v <= limits) & Int4(v >= -limits); // NaN compares false
+uint64_t bits(float value) {
+    return std::bit_cast<uint32_t>(value);
 }
 
+// Magnitudes order as the integers that hold their bits, with infinity and NaN above all numbers.
+constexpr uint64_t kMagnitude = 0x7fffffff;
+
+uint64_t within(float value, float limit) {
+    return (bits(value) & kMagnitude) <= bits(limit);
+}
+
+// Without branches but for the last: a single query spends more on this than on a few nodes
+// otherwise.
 bool is_valid(const math::Ray& ray) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    const Int4 in_range =
-        at_most(&ray.origin.x, Float4{kLargestOrigin, kLargestOrigin, kLargestOrigin, kInfinity})
-        & at_most(&ray.direction.x, Float4{kLargestFloat, kLargestFloat, kLargestFloat, kInfinity});
-    uint64_t halves[2];
-    std::memcpy(halves, &in_range, sizeof halves);
-    const uint32_t direction = std::bit_cast<uint32_t>(ray.direction.x)
-                               | std::bit_cast<uint32_t>(ray.direction.y)
-                               | std::bit_cast<uint32_t>(ray.direction.z);
-    return ((halves[0] & halves[1]) == ~uint64_t(0)) & (direction << 1 != 0); // -0 is 0 as well
+    const math::Vec3 &o = ray.origin, &d = ray.direction;
+    const uint64_t origin =
+        within(o.x, kLargestOrigin) & within(o.y, kLargestOrigin) & within(o.z, kLargestOrigin);
+    const uint64_t direction =
+        within(d.x, kLargestFloat) & within(d.y, kLargestFloat) & within(d.z, kLargestFloat);
+    const uint64_t range = within(ray.t_min, kInfinity) & within(ray.t_max, kInfinity);
+    const uint64_t length = (bits(d.x) | bits(d.y) | bits(d.z)) & kMagnitude;
+    return (origin & direction & range) != 0 && length != 0;
 }
-static_assert(offsetof(math::Ray, t_min) == offsetof(math::Ray, origin) + 12);
-static_assert(offsetof(math::Ray, t_max) == offsetof(math::Ray, direction) + 12);
 
-[[noreturn]] void reject(uint64_t index, const math::Ray& ray) {
+[[noreturn, gnu::cold, gnu::noinline]] void reject(uint64_t index, const math::Ray& ray) {
     const char* names[] = {"x", "y", "z"};
     for (int k = 0; k < 3; ++k) {
         if (!(std::fabs(ray.origin[k]) <= kLargestOrigin))
@@ -73,17 +73,24 @@ trace::Filter make_filter(const scene::Snapshot& snapshot, const Selection& sele
     return filter;
 }
 
-Hit to_host(const scene::Snapshot& snapshot, const trace::Hit& hit) {
-    if (hit.triangle == geometry::kNoTriangle)
-        return {hit.t, 0, 0, geometry::kNoTriangle, {}, 0, 0};
-    const geometry::Triangle& triangle = snapshot.geometry->triangles[hit.triangle];
-    return {hit.t,
-            hit.u,
-            hit.v,
-            triangle.primitive,
-            {triangle.mesh, snapshot.meshes[triangle.mesh].generation},
-            0,
-            hit.back_face};
+// Field by field to where the host wants it: a record put together elsewhere and copied would wait
+// for its own stores.
+void store_hit(const scene::Snapshot& snapshot, const trace::Hit& hit, std::byte* place) {
+    const auto store = [place](size_t offset, auto value) {
+        std::memcpy(place + offset, &value, sizeof value);
+    };
+    const bool missed = hit.triangle == geometry::kNoTriangle;
+    const geometry::Triangle* triangle =
+        missed ? nullptr : &snapshot.geometry->triangles[hit.triangle];
+    store(offsetof(Hit, t), hit.t);
+    store(offsetof(Hit, u), hit.u);
+    store(offsetof(Hit, v), hit.v);
+    store(offsetof(Hit, triangle), missed ? geometry::kNoTriangle : triangle->primitive);
+    store(offsetof(Hit, mesh) + offsetof(base::Handle, index), missed ? 0u : triangle->mesh);
+    store(offsetof(Hit, mesh) + offsetof(base::Handle, generation),
+          missed ? 0u : snapshot.meshes[triangle->mesh].generation);
+    store(offsetof(Hit, instance), 0u);
+    store(offsetof(Hit, back_face), uint32_t(hit.back_face));
 }
 
 } // namespace
@@ -101,9 +108,9 @@ void check_ray(const math::Ray& ray) {
         reject(0, ray);
 }
 
-Hit closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray) {
+void closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray, std::byte* place) {
     static constexpr trace::Filter kEverything;
-    return to_host(snapshot, snapshot.kernels->closest(snapshot.target, ray, kEverything));
+    store_hit(snapshot, snapshot.kernels->closest(snapshot.target, ray, kEverything), place);
 }
 
 bool occluded(const scene::Snapshot& snapshot, const math::Ray& ray) {
@@ -115,8 +122,8 @@ void closest_hits(const scene::Snapshot& snapshot, const Strided<math::Ray>& ray
                   const Selection& selection, const Strided<Hit>& hits) {
     const trace::Filter filter = make_filter(snapshot, selection);
     for (uint64_t i = 0; i < rays.count; ++i)
-        hits.store(
-            i, to_host(snapshot, snapshot.kernels->closest(snapshot.target, rays.load(i), filter)));
+        store_hit(snapshot, snapshot.kernels->closest(snapshot.target, rays.load(i), filter),
+                  hits.data + i * hits.stride);
 }
 
 void occlusion(const scene::Snapshot& snapshot, const Strided<math::Ray>& rays,

@@ -46,9 +46,9 @@ struct Selection {
     bool alpha_test = false;
 };
 
-// One ray that may hit anything: the short way. The ray has been checked.
+// One ray that may hit anything: the short way. Check the ray first; `place` takes a Hit.
 void check_ray(const math::Ray& ray);
-Hit closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray);
+void closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray, std::byte* place);
 bool occluded(const scene::Snapshot& snapshot, const math::Ray& ray);
 
 // Throws base::Error invalid_argument that names the first ray which is not one: a component NaN,

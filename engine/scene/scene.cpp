@@ -2,11 +2,24 @@
 
 #include "base/error.h"
 
+#include <atomic>
+
 namespace peregrine::scene {
+namespace {
+
+// A different one for each of the next 2^31 scenes, far from those of its neighbours.
+uint32_t next_first_generation() {
+    static std::atomic<uint32_t> scenes{0};
+    return scenes.fetch_add(1, std::memory_order_relaxed) * 0x9e3779b2u | 1;
+}
+
+} // namespace
 
 Scene::Scene(const SceneOptions& options)
-    : memory(options.memory), scheduler(options.worker_count, options.host_scheduler, &memory),
-      textures(&memory), materials(&memory), meshes(&memory), lights(&memory), snapshots(&memory),
+    : first_generation_(next_first_generation()), memory(options.memory),
+      scheduler(options.worker_count, options.host_scheduler, &memory),
+      textures(first_generation_, &memory), materials(first_generation_, &memory),
+      meshes(first_generation_, &memory), lights(first_generation_, &memory), snapshots(&memory),
       kernels_(trace::select_kernels(options.isa)) {
     if (!kernels_)
         base::fail(base::Code::unsupported,

@@ -61,6 +61,10 @@ class Scene {
 public:
     explicit Scene(const SceneOptions& options);
 
+private:
+    const uint32_t first_generation_;
+
+public:
     // In front of all that it serves, so that it goes last.
     base::HostMemory memory;
     base::Scheduler scheduler;

@@ -11,8 +11,8 @@
  * A ray's t is measured in lengths of its direction, which need not be normalised.
  *
  * Ownership: every pointer is borrowed for the duration of the call; the library copies what it
- * keeps. Every array comes with a count and a stride in bytes (0: tightly packed), and no byte
- * beyond the last element is read.
+ * keeps. Every array comes with a count and a stride in bytes (0: tightly packed), needs no
+ * alignment, and no byte beyond the last element is read.
  *
  * Threads: calls that describe or commit one scene are the host's to serialise. Queries and frames
  * run at any time, from any thread, also while the scene is described or committed; each call
@@ -236,13 +236,13 @@ typedef struct rt_material_desc {
     uint32_t struct_size;
     rt_alpha_mode alpha_mode;
     float base_color[4]; /* linear; multiplies the texture. Components >= 0, finite. */
-    float emissive[3];   /* linear radiance; may exceed 1 */
+    float emissive[3];   /* linear radiance, >= 0; may exceed 1 */
     float alpha_cutoff;
-    float specular[3];  /* linear reflectance of the highlight */
-    float shininess;    /* exponent n >= 1 of Schlick's rational highlight */
-    float normal_scale; /* scales x and y of the normal map */
-    uint32_t
-        double_sided; /* 0: frames do not show back faces; shadows and queries see both sides */
+    float specular[3];     /* linear reflectance of the highlight, >= 0 */
+    float shininess;       /* exponent n >= 1 of Schlick's rational highlight */
+    float normal_scale;    /* scales x and y of the normal map */
+    uint32_t double_sided; /* 0 or 1. 0: frames do not show back faces; shadows and queries see both
+                              sides */
     rt_texture_use base_color_texture;
     rt_texture_use normal_texture; /* tangent space, +Y up, stored as 0.5 n + 0.5 */
     rt_texture_use emissive_texture;
@@ -304,8 +304,8 @@ typedef struct rt_mesh_desc {
     rt_array tangents;  /* float[4], one a vertex, w = +1 or -1: optional, derived from texcoords */
     rt_array texcoords; /* float[2], one a vertex: optional, (0, 0) otherwise */
     rt_array texcoords1;  /* float[2], the second set */
-    rt_array indices;     /* single indices, three a triangle */
-    rt_array materials;   /* rt_material, one a triangle: optional */
+    rt_array indices;     /* single indices, three a triangle; absent with RT_INDEX_NONE */
+    rt_array materials;   /* rt_material, one a triangle: optional; a null one means `material` */
     rt_material material; /* of triangles without one; null: white, double-sided */
     uint32_t layer_mask;  /* queries see the mesh when (layer_mask & query mask) != 0 */
     uint32_t reserved;    /* 0 */
@@ -366,10 +366,10 @@ typedef struct rt_light_desc {
     double position[3];   /* point, spot */
     float direction[3];   /* spot, directional: the way the light travels; any length but zero */
     float radius;         /* point, spot: the light ends here, in metres; > 0, finite */
-    float intensity[3];   /* linear RGB; candela (point, spot) or lux (directional) */
+    float intensity[3];   /* linear RGB, >= 0; candela (point, spot) or lux (directional) */
     float cone_inner_cos; /* spot: full inside this angle, ... */
-    float cone_outer_cos; /* ... none outside this one */
-    uint32_t casts_no_shadow; /* 0: shadows are traced */
+    float cone_outer_cos; /* ... none outside this one; -1 <= outer <= inner <= 1 */
+    uint32_t casts_no_shadow; /* 0 or 1; 0: shadows are traced */
 } rt_light_desc;
 
 static inline rt_light_desc rt_default_light_desc(void) {
@@ -392,7 +392,7 @@ RT_EXPORT rt_result rt_remove_light(rt_scene scene, rt_light light) RT_NOEXCEPT;
 
 typedef struct rt_environment {
     uint32_t struct_size;
-    float ambient[3];    /* radiance that reaches every surface from everywhere */
+    float ambient[3];    /* radiance that reaches every surface from everywhere, >= 0 */
     float background[3]; /* radiance of rays that leave the scene */
     uint32_t reserved;   /* 0 */
 } rt_environment;
@@ -523,7 +523,7 @@ typedef struct rt_query_desc {
     uint32_t struct_size;
     rt_query_kind kind;
     const rt_ray* rays;
-    uint64_t ray_count;     /* 0 is allowed and does nothing */
+    uint64_t ray_count;     /* 0 is allowed and does nothing, also before the first commit */
     uint32_t ray_stride;    /* bytes; 0: 32 */
     uint32_t result_stride; /* bytes; 0: 32 for hits, 1 for occluded */
     rt_hit* hits;           /* RT_QUERY_CLOSEST: one a ray */
@@ -617,9 +617,9 @@ typedef struct rt_frame_desc {
     rt_view view;
     rt_tone_mapping tone_mapping;
     float exposure;      /* multiplies radiance; > 0 */
-    float depth_range;   /* metres */
-    float steps_range;   /* nodes */
-    uint32_t no_shadows; /* 1: lights shine through everything */
+    float depth_range;   /* metres, > 0 */
+    float steps_range;   /* nodes, > 0 */
+    uint32_t no_shadows; /* 0 or 1; 1: lights shine through everything */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
