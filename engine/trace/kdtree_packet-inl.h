@@ -151,6 +151,26 @@ HWY_ATTR uint32_t visit_leaves(const Target& target, const Packet& packet, Mf ac
     }
 }
 
+// The triangles that a packet was tested against lately (Amanatides and Woo 1987): a large one
+// stands in many leaves. It works because a test takes all lanes, not only those in the leaf.
+class Mailbox {
+public:
+    Mailbox() {
+        for (uint32_t& entry : entries_) entry = geometry::kNoTriangle;
+    }
+
+    HWY_INLINE bool is_new(uint32_t triangle) {
+        uint32_t& entry = entries_[triangle % kEntries];
+        const bool is_new = entry != triangle;
+        entry = triangle;
+        return is_new;
+    }
+
+private:
+    static constexpr uint32_t kEntries = 16;
+    uint32_t entries_[kEntries];
+};
+
 template <bool Filtered>
 class ClosestPacket {
 public:
@@ -178,10 +198,12 @@ public:
 private:
     HWY_ATTR uint32_t trace(int kz, Mf lanes) {
         const ShearedPacket sheared(packet_.origin, packet_.direction, kz);
+        Mailbox mailbox;
         return visit_leaves(target_, packet_, lanes, t_,
-                            [&](uint32_t first, uint32_t count, Mf active) HWY_ATTR {
+                            [&](uint32_t first, uint32_t count, Mf) HWY_ATTR {
                                 for (uint32_t i = first; i < first + count; ++i)
-                                    test(sheared, target_.references[i], active);
+                                    if (mailbox.is_new(target_.references[i]))
+                                        test(sheared, target_.references[i], lanes);
                                 return false;
                             });
     }
@@ -284,11 +306,12 @@ private:
         Vf t_limit = packet_.t_far;
         uint64_t blocked = 0;
         const uint64_t all = lane_bits(lanes);
+        Mailbox mailbox;
         visit_leaves(
-            target_, packet_, lanes, t_limit,
-            [&](uint32_t first, uint32_t count, Mf active) HWY_ATTR {
-                Mf open = hn::And(active, hn::Gt(t_limit, hn::Set(kF, kNever)));
+            target_, packet_, lanes, t_limit, [&](uint32_t first, uint32_t count, Mf) HWY_ATTR {
+                Mf open = hn::And(lanes, hn::Gt(t_limit, hn::Set(kF, kNever)));
                 for (uint32_t i = first; i < first + count; ++i) {
+                    if (!mailbox.is_new(target_.references[i])) continue;
                     const auto& triangle = target_.triangles[target_.references[i]];
                     PacketHit hit;
                     if (!intersect(sheared, triangle, open, packet_.t_min, packet_.t_max, hit))

@@ -31,6 +31,7 @@ Bytes ask(rt_scene scene, const std::vector<rt_ray>& rays) {
     query.ray_count = rays.size();
     query.hits = hits.data();
     if (rt_trace_query(scene, &query) != RT_OK) return {};
+    for (rt_hit& hit : hits) hit.mesh.generation = hit.mesh.generation != 0; // differs by scene
     Bytes bytes(hits.size() * sizeof(rt_hit));
     std::memcpy(bytes.data(), hits.data(), bytes.size());
     return bytes;

@@ -147,6 +147,10 @@ Bytes answers(rt_scene scene) {
         EXPECT_OK(rt_resolve_hits(scene, hits.data(), hits.size(), 0, surfaces.data(), 0));
         query.kind = RT_QUERY_ANY;
         EXPECT_OK(rt_trace_query(scene, &query));
+        // Handles differ between scenes; whether there is one does not.
+        for (rt_hit& hit : hits) hit.mesh.generation = hit.mesh.generation != 0;
+        for (rt_surface& surface : surfaces)
+            surface.material.generation = surface.material.generation != 0;
         append(bytes, hits.data(), hits.size() * sizeof(rt_hit));
         append(bytes, surfaces.data(), surfaces.size() * sizeof(rt_surface));
         append(bytes, occluded.data(), occluded.size());
