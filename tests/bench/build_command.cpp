@@ -3,7 +3,9 @@
 #include "timing.h"
 
 #include "accel/kdtree/builder.h"
+#include "support/ray_sets.h"
 #include "support/world.h"
+#include "trace/kernels.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -14,22 +16,41 @@
 namespace peregrine::bench {
 namespace {
 
+constexpr size_t kCameraRays = 50'000;
+
 struct Built {
     double seconds;
     uint64_t bytes;
     size_t nodes, references;
     accel::kdtree::BuildReport report;
+    double ns_a_ray;
 };
 
-Built build_ours(const std::vector<geometry::Triangle>& triangles, base::Scheduler& scheduler,
+// Camera rays, one at a time, by this thread.
+double trace_camera_rays(const std::vector<geometry::Triangle>& triangles,
+                         const accel::kdtree::Tree& tree, const std::vector<math::Ray>& rays) {
+    const trace::Target target{triangles.data(), tree.nodes.data(), tree.references.data(),
+                               tree.bounds};
+    const trace::Kernels& kernels = *trace::select_kernels(base::Isa::best);
+    const double start = thread_seconds();
+    for (const math::Ray& ray : rays) kernels.closest(target, ray, {});
+    return 1e9 * (thread_seconds() - start) / double(rays.size());
+}
+
+Built build_ours(const std::vector<geometry::Triangle>& triangles,
+                 const std::vector<math::Ray>& rays, float empty_bonus, base::Scheduler& scheduler,
                  base::HostMemory& memory) {
+    accel::kdtree::BuildOptions build;
+    build.empty_bonus = empty_bonus;
     const double start = wall_seconds();
-    const accel::kdtree::Tree tree = accel::kdtree::build(triangles, {}, scheduler, {}, &memory);
+    const accel::kdtree::Tree tree = accel::kdtree::build(triangles, build, scheduler, {}, &memory);
     const double seconds = wall_seconds() - start;
     const uint64_t bytes = tree.nodes.size() * sizeof(accel::kdtree::Node)
                            + tree.references.size() * sizeof(uint32_t)
                            + triangles.size() * sizeof(geometry::Triangle);
-    return {seconds, bytes, tree.nodes.size(), tree.references.size(), tree.report};
+    return {seconds,           bytes,
+            tree.nodes.size(), tree.references.size(),
+            tree.report,       trace_camera_rays(triangles, tree, rays)};
 }
 
 void report(const std::string& name, size_t count, const Options& options, nlohmann::json& rows,
@@ -58,18 +79,26 @@ std::string run_build(const Options& options) {
     base::Scheduler scheduler(options.threads, {}, &memory);
     for (const std::string& file : options.scenes) {
         const std::string name = std::filesystem::path(file).stem().string();
-        const std::vector<geometry::Triangle> triangles = test::load_file(file).triangles;
-        std::vector<double> ours, theirs;
+        const test::SceneFile scene = test::load_file(file);
+        const std::vector<geometry::Triangle>& triangles = scene.triangles;
+        const std::vector<math::Ray> rays =
+            test::make_ray_sets(triangles, scene.eyes, scene.lights, kCameraRays, 1)[0].rays;
+        std::vector<double> ours, theirs, ns_a_ray;
         Built built{};
         PeerBuild peer{};
         for (uint32_t pass = 0; pass < options.passes; ++pass) {
-            built = build_ours(triangles, scheduler, memory);
+            built = build_ours(triangles, rays, options.empty_bonus, scheduler, memory);
             ours.push_back(built.seconds);
+            ns_a_ray.push_back(built.ns_a_ray);
             if (!embree) continue;
             peer = build_with_embree(triangles, options.threads);
             theirs.push_back(peer.seconds);
         }
         report(name, triangles.size(), options, rows, "peregrine", ours, built.bytes);
+        std::printf("%-16s %9s  %zu nodes, %zu references, SAH cost %.1f, %.0f ns a camera ray\n",
+                    "", "", built.nodes, built.references, built.report.sah_cost, median(ns_a_ray));
+        rows.back()["empty_bonus"] = options.empty_bonus;
+        rows.back()["ns_per_camera_ray"] = median(ns_a_ray);
         rows.back()["nodes"] = built.nodes;
         rows.back()["references"] = built.references;
         rows.back()["max_depth"] = built.report.max_depth;

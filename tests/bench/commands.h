@@ -13,6 +13,7 @@ struct Options {
     uint32_t threads = 1;
     uint32_t passes = 5;
     uint32_t size = 1024;
+    float empty_bonus = 0;
     std::string library;
     std::string json;
 };

@@ -40,6 +40,10 @@ int run(int argc, char** argv) {
     CLI::App* door = app.add_subcommand("door", "what a query costs beyond the bare traversal");
     for (CLI::App* command : {build, frame, door}) add_options(*command, options);
     build->add_option("--peer", options.peers, "Peers: embree")->delimiter(',');
+    build
+        ->add_option("--empty-bonus", options.empty_bonus,
+                     "SAH cost of a split that cuts off empty space: times 1 - this")
+        ->check(CLI::Range(0.0, 1.0));
     frame->add_option("--size", options.size, "Width and height")->capture_default_str();
     for (CLI::App* command : {frame, door})
         command->add_option("--library", options.library,

@@ -20,7 +20,7 @@ find_package(peregrine ${version%.*} REQUIRED)
 add_executable(example example.c)
 target_link_libraries(example PRIVATE peregrine::peregrine)
 END
-cmake -S "$work/consumer" -B "$work/consumer/build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+cmake -G Ninja -S "$work/consumer" -B "$work/consumer/build" -DCMAKE_PREFIX_PATH="$work/prefix" \
     -DCMAKE_C_COMPILER="$compiler" >/dev/null
 cmake --build "$work/consumer/build" >/dev/null
 "$work/consumer/build/example" | tee "$work/by_cmake"
