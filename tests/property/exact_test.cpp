@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <thread>
@@ -43,11 +44,14 @@ bool same(const trace::Hit& a, const trace::Hit& b) {
 Answers ask_brute_force(const BruteForce& oracle, const std::vector<Ray>& rays,
                         const trace::Filter& filter) {
     Answers answers(rays.size());
+    constexpr size_t kBatch = 64;
     std::atomic<size_t> next{0};
     const auto work = [&] {
-        for (size_t i; (i = next.fetch_add(1)) < rays.size();) {
-            answers.hits[i] = oracle.closest(rays[i], filter);
-            answers.occluded[i] = oracle.occluded(rays[i], filter);
+        for (size_t first; (first = next.fetch_add(kBatch)) < rays.size();) {
+            const size_t count = std::min(kBatch, rays.size() - first);
+            oracle.closest({rays.data() + first, count}, filter, answers.hits.data() + first);
+            for (size_t i = first; i < first + count; ++i)
+                answers.occluded[i] = answers.hits[i].triangle != geometry::kNoTriangle;
         }
     };
     std::vector<std::jthread> threads;

@@ -15,12 +15,13 @@ class BruteForce {
 public:
     explicit BruteForce(std::span<const geometry::Triangle> triangles);
 
-    trace::Hit closest(const math::Ray& ray, const trace::Filter& filter = {}) const;
-    bool occluded(const math::Ray& ray, const trace::Filter& filter = {}) const;
+    // The closest hit of each ray; a ray is occluded exactly if it has one.
+    void closest(std::span<const math::Ray> rays, const trace::Filter& filter,
+                 trace::Hit* hits) const;
 
 private:
-    template <class Visit>
-    void visit_candidates(const math::Ray& ray, Visit&& visit) const;
+    void test_block(const math::Ray& ray, size_t first, const trace::Filter& filter,
+                    trace::Hit& best) const;
 
     std::span<const geometry::Triangle> triangles_;
     std::vector<float> corners_[3][3]; // by vertex and axis
