@@ -33,7 +33,8 @@ GltfBuilder make_textured(const std::vector<uint8_t>& image, const Json& materia
     builder.json["images"] = {{{"bufferView", builder.add_view(image)}, {"mimeType", "image/png"}}};
     builder.json["samplers"] = {{{"magFilter", 9728}, {"wrapS", 33071}, {"wrapT", 33648}}};
     builder.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
-    builder.json["materials"] = {material};
+    builder.json["materials"] =
+        Json::array({material}); // braces alone: a copy or an array, as the compiler likes
     builder.json["meshes"][0]["primitives"][0]["material"] = 0;
     return builder;
 }
