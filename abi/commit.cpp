@@ -24,23 +24,14 @@ scene::CommitOptions to_options(const rt_commit_desc* desc) {
         base::fail(base::Code::invalid_argument,
                    "rt_commit_desc.empty_bonus is %g; it must be 0 to 1",
                    double(fields.empty_bonus));
-    options.empty_bonus = fields.empty_bonus;
+    options.build.empty_bonus = fields.empty_bonus;
     options.progress = {fields.progress, fields.progress_user};
     return options;
 }
 
-rt_commit_report to_report(const scene::CommitReport& in) {
-    const accel::kdtree::Tree& tree = in.geometry->tree;
-    rt_commit_report out = rt_default_commit_report();
-    out.left_out = scene::kAllFeatures & ~in.features;
-    out.triangle_count = in.geometry->triangles.size();
-    out.degenerate_count = in.geometry->degenerate_count;
-    out.non_finite_count = in.geometry->non_finite_count;
-    out.bytes_triangles = in.geometry->triangles.size() * sizeof(geometry::Triangle);
+void report_tree(const accel::kdtree::Tree& tree, rt_commit_report& out) {
     out.bytes_nodes = tree.nodes.size() * sizeof(accel::kdtree::Node);
     out.bytes_references = tree.references.size() * sizeof(uint32_t);
-    out.bytes_attributes = in.bytes_attributes;
-    out.bytes_textures = in.bytes_textures;
     out.tree_nodes = tree.nodes.size();
     out.tree_leaves = tree.report.leaves;
     out.tree_empty_leaves = tree.report.empty_leaves;
@@ -49,6 +40,32 @@ rt_commit_report to_report(const scene::CommitReport& in) {
     out.tree_depth_limit = tree.report.depth_limit;
     out.tree_sah_cost = tree.report.sah_cost;
     out.build_ms = tree.report.build_ms;
+}
+
+void report_tree(const accel::bvh::Tree& tree, rt_commit_report& out) {
+    out.bytes_triangles = tree.blocks.size() * sizeof(accel::bvh::Block);
+    out.bytes_nodes = tree.nodes.size() * sizeof(accel::bvh::Node);
+    out.tree_nodes = tree.nodes.size();
+    out.tree_leaves = tree.report.leaves;
+    out.tree_references = tree.report.references;
+    out.tree_max_depth = tree.report.max_depth;
+    out.tree_depth_limit = accel::bvh::kMaxDepth;
+    out.tree_sah_cost = tree.report.sah_cost;
+    out.build_ms = tree.report.build_ms;
+}
+
+rt_commit_report to_report(const scene::CommitReport& in) {
+    rt_commit_report out = rt_default_commit_report();
+    out.left_out = scene::kAllFeatures & ~in.features;
+    out.triangle_count = in.geometry->infos.size();
+    out.degenerate_count = in.geometry->degenerate_count;
+    out.non_finite_count = in.geometry->non_finite_count;
+    in.geometry->structure == trace::Structure::bvh ? report_tree(in.geometry->bvh, out)
+                                                    : report_tree(in.geometry->kdtree, out);
+    out.bytes_triangles += in.geometry->infos.size() * sizeof(geometry::TriangleInfo)
+                           + in.geometry->triangles.size() * sizeof(geometry::Triangle);
+    out.bytes_attributes = in.bytes_attributes;
+    out.bytes_textures = in.bytes_textures;
     out.commit_ms = in.commit_ms;
     out.light_count = in.light_count;
     out.rebuilt = in.rebuilt ? 1 : 0;

@@ -19,9 +19,9 @@
 //   4. U = Cx By - Cy Bx, V = Ax Cy - Ay Cx, W = Bx Ay - By Ax, in double. A product of two floats
 //      is exact in double, so each difference has a relative error of 2^-53 and the exact sign.
 //   5. Hit if U, V, W are all >= 0 or all <= 0, and det = (U + V) + W is not 0.
-//   6. t = ((U Az + V Bz) + W Cz) / (det * d[kz]), u = V / det, v = W / det, in double, then
-//   rounded
-//      to float. Hit if t_min <= t <= t_max and t is finite.
+//   6. r = 1 / (det d[kz]); t = ((U Az + V Bz) + W Cz) r, u = (V d[kz]) r, v = (W d[kz]) r, in
+//      double, then rounded to float. Hit if t_min <= t <= t_max and t is finite. (Nothing here
+//      overflows a double: vertices and origins are below 2e30.)
 //
 // Watertight: two triangles that share an edge round its vertices alike and compute its edge
 // function with the operands swapped, which negates it exactly. So a ray cannot pass between them.
@@ -91,9 +91,10 @@ inline bool intersect(const ShearedRay& ray, const Vec3& v0, const Vec3& v1, con
     if (det == 0) return false;
 
     const double depth = (u * double(az) + v * double(bz)) + w * double(cz);
-    const float t = float(depth / (det * ray.dz));
+    const double r = 1 / (det * ray.dz);
+    const float t = float(depth * r);
     if (!(t >= ray.t_min && t <= ray.t_max)) return false;
-    hit = {t, float(v / det), float(w / det), (det > 0) != (ray.dz > 0)};
+    hit = {t, float((v * ray.dz) * r), float((w * ray.dz) * r), (det > 0) != (ray.dz > 0)};
     return true;
 }
 

@@ -15,7 +15,16 @@ enum TriangleFlag : uint32_t {
     kMasked = 1u << 1,      // its material may be absent at a hit: ask the alpha test
 };
 
-// What rays are tested against, everywhere.
+// Where a triangle comes from.
+struct TriangleInfo {
+    uint32_t mesh;           // slot of the mesh in its scene
+    uint32_t primitive : 30; // the host's own index in that mesh
+    uint32_t flags : 2;      // TriangleFlag
+};
+static_assert(sizeof(TriangleInfo) == 8);
+
+// What structures are built over. Lists of triangles ascend in (mesh, primitive), so that of two
+// hits at the same t the one with the smaller index in the list comes first.
 struct Triangle {
     Vec3 v0;
     uint32_t mesh; // slot of the mesh in its scene
@@ -23,6 +32,8 @@ struct Triangle {
     uint32_t primitive; // the host's own index in that mesh
     Vec3 v2;
     uint32_t flags; // TriangleFlag
+
+    TriangleInfo info() const { return {mesh, primitive & 0x3fffffffu, flags & 3}; }
 };
 static_assert(sizeof(Triangle) == 48 && alignof(Triangle) == 4);
 

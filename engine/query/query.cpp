@@ -80,12 +80,12 @@ void store_hit(const scene::Snapshot& snapshot, const trace::Hit& hit, std::byte
         std::memcpy(place + offset, &value, sizeof value);
     };
     const bool missed = hit.triangle == geometry::kNoTriangle;
-    const geometry::Triangle* triangle =
-        missed ? nullptr : &snapshot.geometry->triangles[hit.triangle];
+    const geometry::TriangleInfo* triangle =
+        missed ? nullptr : snapshot.target.infos + hit.triangle;
     store(offsetof(Hit, t), hit.t);
     store(offsetof(Hit, u), hit.u);
     store(offsetof(Hit, v), hit.v);
-    store(offsetof(Hit, triangle), missed ? geometry::kNoTriangle : triangle->primitive);
+    store(offsetof(Hit, triangle), missed ? geometry::kNoTriangle : uint32_t(triangle->primitive));
     store(offsetof(Hit, mesh) + offsetof(base::Handle, index), missed ? 0u : triangle->mesh);
     store(offsetof(Hit, mesh) + offsetof(base::Handle, generation),
           missed ? 0u : snapshot.meshes[triangle->mesh].generation);

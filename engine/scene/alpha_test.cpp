@@ -5,7 +5,7 @@
 namespace peregrine::scene {
 namespace {
 
-bool present(const void* context, const geometry::Triangle& triangle, float u, float v) {
+bool present(const void* context, const geometry::TriangleInfo& triangle, float u, float v) {
     const auto& snapshot = *static_cast<const Snapshot*>(context);
     const Snapshot::Mesh& mesh = snapshot.meshes[triangle.mesh];
     const Material& material = snapshot.materials[mesh.material_of(triangle.primitive)];

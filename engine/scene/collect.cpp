@@ -32,9 +32,11 @@ void collect_mesh(const Snapshot& snapshot, uint32_t slot, Geometry& geometry) {
             ++geometry.non_finite_count;
         else if (!geometry::has_area(v0, v1, v2))
             ++geometry.degenerate_count;
-        else
+        else {
             geometry.triangles.push_back(
                 {v0, slot, v1, i, v2, flags_of(snapshot.materials[mesh.material_of(i)])});
+            geometry.infos.push_back(geometry.triangles.back().info());
+        }
     }
 }
 
@@ -46,6 +48,7 @@ void collect_triangles(const Snapshot& snapshot, Geometry& geometry) {
         base::fail(base::Code::limit, "the scene has %llu triangles; at most 2^27 are supported",
                    static_cast<unsigned long long>(count));
     geometry.triangles.reserve(count);
+    geometry.infos.reserve(count);
     for (uint32_t slot = 0; slot < snapshot.meshes.size(); ++slot)
         if (snapshot.meshes[slot].data) collect_mesh(snapshot, slot, geometry);
 }

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include "accel/bvh/builder.h"
 #include "accel/kdtree/builder.h"
 #include "base/error.h"
 #include "scene/collect.h"
@@ -170,14 +171,23 @@ uint64_t texture_bytes(const Snapshot& snapshot) {
 
 std::shared_ptr<const Geometry> Scene::current_geometry(const Snapshot& snapshot,
                                                         const CommitOptions& options) {
-    if (geometry_ && !geometry_changed_ && geometry_bonus_ == options.empty_bonus) return geometry_;
+    if (geometry_ && !geometry_changed_ && geometry_build_ == options.build) return geometry_;
     const auto geometry =
         std::allocate_shared<Geometry>(std::pmr::polymorphic_allocator<Geometry>(&memory), &memory);
     collect_triangles(snapshot, *geometry);
-    accel::kdtree::BuildOptions build;
-    build.empty_bonus = options.empty_bonus;
-    geometry->tree =
-        accel::kdtree::build(geometry->triangles, build, scheduler, options.progress, &memory);
+    geometry->structure = options.build.structure;
+    if (geometry->structure == trace::Structure::kdtree) {
+        accel::kdtree::BuildOptions build;
+        build.empty_bonus = options.build.empty_bonus;
+        geometry->kdtree =
+            accel::kdtree::build(geometry->triangles, build, scheduler, options.progress, &memory);
+    } else {
+        accel::bvh::BuildOptions build;
+        build.quality = options.build.quality;
+        geometry->bvh =
+            accel::bvh::build(geometry->triangles, build, scheduler, options.progress, &memory);
+        geometry->triangles = base::Vector<geometry::Triangle>(&memory);
+    }
     return geometry;
 }
 
@@ -192,11 +202,11 @@ CommitReport Scene::commit(const CommitOptions& options) {
     resolver.meshes();
     resolver.lights();
     snapshot.environment = environment;
-    snapshot.kernels = kernels_;
     snapshot.version = version_ + 1;
     snapshot.features = features_of(snapshot);
     snapshot.geometry = current_geometry(snapshot, options);
     snapshot.target = snapshot.geometry->target();
+    snapshot.kernels = trace::select_kernels(snapshot.geometry->structure, isa_);
     if (options.progress.cancels(1.0f))
         base::fail(base::Code::cancelled, "the commit was cancelled by its progress callback");
 
@@ -211,7 +221,7 @@ CommitReport Scene::commit(const CommitOptions& options) {
     // Nothing below can fail.
     geometry_ = snapshot.geometry;
     geometry_changed_ = false;
-    geometry_bonus_ = options.empty_bonus;
+    geometry_build_ = options.build;
     ++version_;
     draft.publish();
     report.commit_ms = ms_since(start);

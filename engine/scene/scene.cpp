@@ -20,8 +20,8 @@ Scene::Scene(const SceneOptions& options)
       scheduler(options.worker_count, options.host_scheduler, &memory),
       textures(first_generation_, &memory), materials(first_generation_, &memory),
       meshes(first_generation_, &memory), lights(first_generation_, &memory), snapshots(&memory),
-      kernels_(trace::select_kernels(options.isa)) {
-    if (!kernels_)
+      isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa) {
+    if (!base::machine_has(isa_))
         base::fail(base::Code::unsupported,
                    "this machine or build lacks the instruction set %u that the scene asks for",
                    unsigned(options.isa));

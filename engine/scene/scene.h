@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/bvh/builder.h"
 #include "base/memory.h"
 #include "base/progress.h"
 #include "base/scheduler.h"
@@ -34,8 +35,17 @@ struct MaterialDescription {
     Handle emissive_texture;
 };
 
+// How to build the structure over the triangles.
+struct BuildChoice {
+    trace::Structure structure = trace::Structure::bvh;
+    accel::bvh::Quality quality = accel::bvh::Quality::balanced;
+    float empty_bonus = 0; // of the kd-tree
+
+    bool operator==(const BuildChoice&) const = default;
+};
+
 struct CommitOptions {
-    float empty_bonus = 0;
+    BuildChoice build;
     base::Progress progress;
 };
 
@@ -82,15 +92,15 @@ public:
 
     CommitReport commit(const CommitOptions& options);
     uint64_t version() const { return version_; }
-    base::Isa isa() const { return kernels_->isa; }
+    base::Isa isa() const { return isa_; }
 
 private:
     std::shared_ptr<const Geometry> current_geometry(const Snapshot& snapshot,
                                                      const CommitOptions& options);
 
-    const trace::Kernels* kernels_;
+    base::Isa isa_; // never `best`
     std::shared_ptr<const Geometry> geometry_;
-    float geometry_bonus_ = 0;
+    BuildChoice geometry_build_;
     bool geometry_changed_ = true;
     uint64_t version_ = 0;
 };

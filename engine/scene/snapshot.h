@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/bvh/tree.h"
 #include "accel/kdtree/tree.h"
 #include "base/memory.h"
 #include "geometry/triangle.h"
@@ -18,15 +19,23 @@ namespace peregrine::scene {
 // The triangles of all meshes and the structure over them; shared by snapshots between which no
 // mesh changed.
 struct Geometry {
-    explicit Geometry(base::Memory* memory) : triangles(memory), tree(memory) {}
+    explicit Geometry(base::Memory* memory)
+        : infos(memory), triangles(memory), bvh(memory), kdtree(memory) {}
 
-    base::Vector<geometry::Triangle> triangles;
-    accel::kdtree::Tree tree;
+    trace::Structure structure = trace::Structure::bvh;
+    base::Vector<geometry::TriangleInfo> infos;
+    base::Vector<geometry::Triangle> triangles; // empty once a BVH has its own copy
+    accel::bvh::Tree bvh;
+    accel::kdtree::Tree kdtree;
     uint64_t degenerate_count = 0;
     uint64_t non_finite_count = 0;
 
     trace::Target target() const {
-        return {triangles.data(), tree.nodes.data(), tree.references.data(), tree.bounds};
+        return {
+            infos.data(),        structure == trace::Structure::bvh ? bvh.bounds : kdtree.bounds,
+            bvh.nodes.data(),    bvh.blocks.data(),
+            kdtree.nodes.data(), kdtree.references.data(),
+            triangles.data()};
     }
 };
 

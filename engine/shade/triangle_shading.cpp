@@ -78,15 +78,13 @@ float intersection_error(const math::Box& bounds) {
 
 void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangle_index,
             bool back_face, float intersection_error, TriangleShading& out) {
-    const geometry::Triangle& triangle = snapshot.geometry->triangles[triangle_index];
+    const geometry::TriangleInfo& triangle = snapshot.target.infos[triangle_index];
     const scene::Snapshot::Mesh& slot = snapshot.meshes[triangle.mesh];
     const scene::MeshData& mesh = *slot.data;
     const std::array<uint32_t, 3>& vertices = mesh.triangles[triangle.primitive];
     const scene::Material& material = snapshot.materials[slot.material_of(triangle.primitive)];
     out.material = &material;
-    out.vertex[0] = triangle.v0;
-    out.vertex[1] = triangle.v1;
-    out.vertex[2] = triangle.v2;
+    for (uint32_t k = 0; k < 3; ++k) out.vertex[k] = mesh.positions[vertices[k]];
     const Vec3 front = unit_normal(out.vertex);
     out.geometric = back_face ? -front : front;
     out.lift = surface_lift(out.vertex, out.geometric, intersection_error);

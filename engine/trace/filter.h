@@ -10,7 +10,7 @@ enum class Faces : uint32_t { both = 0, front = 1, back = 2 };
 
 // Asks whether the surface of a kMasked triangle is present at (u, v).
 struct AlphaTest {
-    bool (*present)(const void* context, const geometry::Triangle& triangle, float u,
+    bool (*present)(const void* context, const geometry::TriangleInfo& triangle, float u,
                     float v) = nullptr; // null: always
     const void* context = nullptr;
 };
@@ -30,20 +30,20 @@ struct Filter {
                && ignore_mesh == geometry::kNoTriangle && !alpha.present;
     }
 
-    bool sees_mesh(const geometry::Triangle& triangle) const {
+    bool sees_mesh(const geometry::TriangleInfo& triangle) const {
         return triangle.mesh != ignore_mesh
                && (layer_mask == ~0u || (layer_masks[triangle.mesh] & layer_mask) != 0);
     }
     bool sees_front() const { return faces != Faces::back; }
-    bool sees_back(const geometry::Triangle& triangle) const {
+    bool sees_back(const geometry::TriangleInfo& triangle) const {
         return faces != Faces::front
                && !(cull_single_sided && (triangle.flags & geometry::kSingleSided));
     }
-    bool asks_alpha(const geometry::Triangle& triangle) const {
+    bool asks_alpha(const geometry::TriangleInfo& triangle) const {
         return alpha.present && (triangle.flags & geometry::kMasked);
     }
 
-    bool accepts(const geometry::Triangle& triangle, bool back_face, float u, float v) const {
+    bool accepts(const geometry::TriangleInfo& triangle, bool back_face, float u, float v) const {
         return (back_face ? sees_back(triangle) : sees_front()) && sees_mesh(triangle)
                && (!asks_alpha(triangle) || alpha.present(alpha.context, triangle, u, v));
     }

@@ -41,13 +41,6 @@ HWY_INLINE HWY_ATTR uint64_t lane_bits(Mf mask) {
     return bits;
 }
 
-inline math::Ray ray_at(const RayStream& rays, size_t i) {
-    return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
-            rays.t_min[i],
-            {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]},
-            rays.t_max[i]};
-}
-
 // The parts of the test that depend on the rays alone; all lanes share the dominant axis.
 struct ShearedPacket {
     int kx, ky, kz;
@@ -88,11 +81,13 @@ HWY_INLINE HWY_ATTR Precise intersect_half(Vd ax, Vd ay, Vd az, Vd bx, Vd by, Vd
     const Vd det = hn::Add(hn::Add(u, v), w);
     const auto missed = hn::Or(outside, hn::Eq(det, zero));
     const Vd depth = hn::Add(hn::Add(hn::Mul(u, az), hn::Mul(v, bz)), hn::Mul(w, cz));
-    const Vd t = hn::Div(depth, hn::Mul(det, dz));
+    const Vd r = hn::Div(hn::Set(kD, 1.0), hn::Mul(det, dz));
+    const Vd t = hn::Mul(depth, r);
     const Vd nan = hn::Set(kD, std::numeric_limits<double>::quiet_NaN());
     const Vd facing = hn::CopySign(hn::Set(kD, 1.0), hn::Xor(det, dz));
-    return {hn::DemoteTo(kH, hn::IfThenElse(missed, nan, t)), hn::DemoteTo(kH, hn::Div(v, det)),
-            hn::DemoteTo(kH, hn::Div(w, det)), hn::DemoteTo(kH, facing)};
+    return {hn::DemoteTo(kH, hn::IfThenElse(missed, nan, t)),
+            hn::DemoteTo(kH, hn::Mul(hn::Mul(v, dz), r)),
+            hn::DemoteTo(kH, hn::Mul(hn::Mul(w, dz), r)), hn::DemoteTo(kH, facing)};
 }
 
 // The lanes of `active` that the triangle is hit by within [t_min, t_max]; false if there are none.
@@ -137,8 +132,8 @@ HWY_INLINE HWY_ATTR bool intersect(const ShearedPacket& ray, const geometry::Tri
 }
 
 // The lanes of `lanes` whose hit is on a present part of a masked surface.
-HWY_INLINE HWY_ATTR Mf present(Mf lanes, const AlphaTest& alpha, const geometry::Triangle& triangle,
-                               const PacketHit& hit) {
+HWY_INLINE HWY_ATTR Mf present(Mf lanes, const AlphaTest& alpha,
+                               const geometry::TriangleInfo& triangle, const PacketHit& hit) {
     alignas(64) float u[kLanes], v[kLanes], kept[kLanes];
     hn::Store(hit.u, kF, u);
     hn::Store(hit.v, kF, v);
@@ -151,8 +146,8 @@ HWY_INLINE HWY_ATTR Mf present(Mf lanes, const AlphaTest& alpha, const geometry:
 }
 
 // The lanes of `lanes` whose hit the filter accepts: Filter::accepts, lane by lane.
-HWY_INLINE HWY_ATTR Mf accepted(Mf lanes, const Filter& filter, const geometry::Triangle& triangle,
-                                const PacketHit& hit) {
+HWY_INLINE HWY_ATTR Mf accepted(Mf lanes, const Filter& filter,
+                                const geometry::TriangleInfo& triangle, const PacketHit& hit) {
     if (!filter.sees_mesh(triangle)) return hn::FirstN(kF, 0);
     const Mf back = hn::RebindMask(kF, hn::Ne(hn::BitCast(kU, hit.back), hn::Zero(kU)));
     if (!filter.sees_back(triangle)) lanes = hn::AndNot(back, lanes);

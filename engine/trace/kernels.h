@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/bvh/tree.h"
 #include "accel/kdtree/tree.h"
 #include "base/isa.h"
 #include "geometry/triangle.h"
@@ -8,15 +9,23 @@
 #include "trace/filter.h"
 
 #include <cstdint>
+#include <limits>
 
 namespace peregrine::trace {
 
-// What rays are traced against.
+enum class Structure : uint32_t { bvh = 0, kdtree = 1 };
+
+// What rays are traced against. Only the arrays of its structure are there.
 struct Target {
-    const geometry::Triangle* triangles;
+    const geometry::TriangleInfo* infos;
+    math::Box bounds; // of all triangles
+
+    const accel::bvh::Node* bvh_nodes;
+    const accel::bvh::Block* bvh_blocks;
+
     const accel::kdtree::Node* nodes;
     const uint32_t* references;
-    math::Box bounds;
+    const geometry::Triangle* triangles;
 };
 
 // The closest hit of one ray.
@@ -24,9 +33,27 @@ struct Hit {
     float t;
     float u;
     float v;
-    uint32_t triangle; // index in Target::triangles, kNoTriangle for a miss (then t = +infinity)
+    uint32_t triangle; // index in Target::infos, kNoTriangle for a miss (then t = +infinity)
     bool back_face;
     uint32_t steps; // nodes visited
+};
+
+inline Hit miss(uint32_t steps) {
+    return {std::numeric_limits<float>::infinity(), 0, 0, geometry::kNoTriangle, false, steps};
+}
+
+// Smaller t first; of equal ones the smaller index. Independent of any order of visits. `best_t` is
+// the end of the ray while `best` is kNoTriangle.
+inline bool comes_first(float t, uint32_t index, float best_t, uint32_t best) {
+    return t < best_t || (t == best_t && index < best);
+}
+
+// What is known of a stream's rays; it changes the speed, not the answers.
+enum class Coherence : uint32_t {
+    automatic = 0,
+    coherent = 1,      // neighbours are alike
+    common_origin = 2, // ... and all start at one point
+    incoherent = 3,
 };
 
 // Rays as separate arrays, `count` long. Arrays are 64-byte aligned and padded to a multiple of 16.
@@ -36,7 +63,15 @@ struct RayStream {
     const float* t_min;
     const float* t_max;
     uint32_t count;
+    Coherence coherence = Coherence::automatic;
 };
+
+inline math::Ray ray_at(const RayStream& rays, size_t i) {
+    return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
+            rays.t_min[i],
+            {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]},
+            rays.t_max[i]};
+}
 
 struct HitStream {
     float* t;
@@ -45,10 +80,18 @@ struct HitStream {
     uint32_t* triangle;  // kNoTriangle for a miss
     uint32_t* back_face; // 1 or 0
     uint32_t* steps;     // nodes visited by each ray's packet; null: not counted
+
+    void store(size_t i, const Hit& hit) const {
+        t[i] = hit.t;
+        u[i] = hit.u;
+        v[i] = hit.v;
+        triangle[i] = hit.triangle;
+        back_face[i] = hit.back_face;
+        if (steps) steps[i] = hit.steps;
+    }
 };
 
-// One table for each instruction set; all of them give the same bits. `stream` kernels are for rays
-// of which neighbours are alike: they trace as many at a time as the machine's vectors are wide.
+// One table for each structure and instruction set; all of them give the same bits.
 struct Kernels {
     Hit (*closest)(const Target& target, const math::Ray& ray, const Filter& filter);
     bool (*occluded)(const Target& target, const math::Ray& ray, const Filter& filter);
@@ -60,6 +103,6 @@ struct Kernels {
 };
 
 // The table for an instruction set; null if this machine lacks it. `best` never fails.
-const Kernels* select_kernels(base::Isa isa);
+const Kernels* select_kernels(Structure structure, base::Isa isa);
 
 } // namespace peregrine::trace

@@ -29,9 +29,11 @@ struct Built {
 // Camera rays, one at a time, by this thread.
 double trace_camera_rays(const std::vector<geometry::Triangle>& triangles,
                          const accel::kdtree::Tree& tree, const std::vector<math::Ray>& rays) {
-    const trace::Target target{triangles.data(), tree.nodes.data(), tree.references.data(),
-                               tree.bounds};
-    const trace::Kernels& kernels = *trace::select_kernels(base::Isa::best);
+    const trace::Target target{nullptr,         tree.bounds,       nullptr,
+                               nullptr,         tree.nodes.data(), tree.references.data(),
+                               triangles.data()};
+    const trace::Kernels& kernels =
+        *trace::select_kernels(trace::Structure::kdtree, base::Isa::best);
     const double start = thread_seconds();
     for (const math::Ray& ray : rays) kernels.closest(target, ray, {});
     return 1e9 * (thread_seconds() - start) / double(rays.size());

@@ -60,7 +60,7 @@ private:
 struct Bare {
     trace::Target target;
     trace::Filter filter;
-    const trace::Kernels* kernels = trace::select_kernels(base::Isa::best);
+    const trace::Kernels* kernels = trace::select_kernels(trace::Structure::bvh, base::Isa::best);
 
     float ask(rt_query_kind kind, const math::Ray& ray) const {
         return kind == RT_QUERY_CLOSEST ? kernels->closest(target, ray, filter).t
@@ -114,10 +114,10 @@ std::string run_door(const Options& options) {
     for (const std::string& file : options.scenes) {
         const std::string name = std::filesystem::path(file).stem().string();
         const test::SceneFile scene = test::load_file(file);
-        const test::World world(scene.triangles, {}, options.threads);
+        const test::World world(scene.triangles, options.threads);
         Door door(plugin.api(), world.triangles);
         Bare bare{world.target(), {}};
-        measure(name, {"outside", rays_outside(world.tree.bounds)}, options, door, bare, rows);
+        measure(name, {"outside", rays_outside(world.bvh.bounds)}, options, door, bare, rows);
         for (const test::RaySet& set :
              test::make_ray_sets(world.triangles, scene.eyes, scene.lights, kRays, 1))
             if (set.name == "shadow" || set.name == "random")

@@ -25,6 +25,13 @@ constexpr Named kIsas[] = {{base::Isa::scalar, "scalar"},
                            {base::Isa::avx512, "avx512"},
                            {base::Isa::neon, "neon"}};
 
+struct NamedStructure {
+    trace::Structure structure;
+    const char* name;
+};
+constexpr NamedStructure kStructures[] = {{trace::Structure::bvh, "bvh"},
+                                          {trace::Structure::kdtree, "kdtree"}};
+
 struct Answers {
     explicit Answers(size_t count) : hits(count), occluded(count) {}
     std::vector<trace::Hit> hits;
@@ -61,9 +68,9 @@ Answers ask_brute_force(const BruteForce& oracle, const std::vector<Ray>& rays,
     return answers;
 }
 
-Answers ask_singles(const World& world, const std::vector<Ray>& rays, const trace::Filter& filter) {
+Answers ask_singles(const World& world, const std::vector<Ray>& rays, const trace::Filter& filter,
+                    const trace::Kernels& kernels) {
     Answers answers(rays.size());
-    const trace::Kernels& kernels = *trace::select_kernels(base::Isa::scalar);
     for (size_t i = 0; i < rays.size(); ++i) {
         answers.hits[i] = kernels.closest(world.target(), rays[i], filter);
         answers.occluded[i] = kernels.occluded(world.target(), rays[i], filter);
@@ -137,12 +144,16 @@ void compare_all(const World& world, const std::vector<RaySet>& sets,
     const BruteForce oracle(world.triangles);
     for (const RaySet& set : sets) {
         const Answers expected = ask_brute_force(oracle, set.rays, filter);
-        expect_same(expected, ask_singles(world, set.rays, filter), set.rays,
-                    set.name + ", single");
-        for (const Named& isa : kIsas)
-            if (const trace::Kernels* kernels = trace::select_kernels(isa.isa))
+        for (const NamedStructure& structure : kStructures)
+            for (const Named& isa : kIsas) {
+                const auto* kernels = trace::select_kernels(structure.structure, isa.isa);
+                if (!kernels) continue;
+                const std::string what = set.name + ", " + structure.name + ", " + isa.name;
+                expect_same(expected, ask_singles(world, set.rays, filter, *kernels), set.rays,
+                            what + ", single");
                 expect_same(expected, ask_streams(world, set.rays, filter, *kernels), set.rays,
-                            set.name + ", stream " + isa.name);
+                            what + ", stream");
+            }
     }
 }
 
@@ -302,7 +313,7 @@ TEST(Filters, EqualBruteForce) {
     filter.cull_single_sided = true;
     filter.layer_mask = 5;
     compare_all(world, sets, filter);
-    filter.alpha.present = [](const void*, const geometry::Triangle&, float u, float v) {
+    filter.alpha.present = [](const void*, const geometry::TriangleInfo&, float u, float v) {
         return u > v;
     };
     compare_all(world, sets, filter);

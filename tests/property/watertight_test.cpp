@@ -84,7 +84,7 @@ uint64_t count_leaks(const Mesh& mesh, const Vec3& offset, float scale, uint64_t
         list.add(scale * mesh.vertices[a] + offset, scale * mesh.vertices[b] + offset,
                  scale * mesh.vertices[c] + offset);
     const World world(list.triangles);
-    const trace::Kernels& kernels = *trace::select_kernels(base::Isa::best);
+    const trace::Kernels& kernels = *trace::select_kernels(trace::Structure::bvh, base::Isa::best);
     const trace::Target target = world.target();
     std::atomic<uint64_t> leaks{0};
     const auto work = [&](uint32_t seed, uint64_t count) {

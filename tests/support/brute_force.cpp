@@ -44,10 +44,6 @@ filter_block(const Corners (&corners)[3], const geometry::ShearedRay& ray, size_
     return any;
 }
 
-bool precedes(const geometry::Triangle& a, const geometry::Triangle& b) {
-    return a.mesh != b.mesh ? a.mesh < b.mesh : a.primitive < b.primitive;
-}
-
 } // namespace
 
 BruteForce::BruteForce(std::span<const geometry::Triangle> triangles) : triangles_(triangles) {
@@ -75,8 +71,9 @@ void BruteForce::test_block(const math::Ray& ray, size_t first, const trace::Fil
         const geometry::Triangle& triangle = triangles_[first + i];
         geometry::TriangleHit hit;
         if (!geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)) continue;
-        if (hit.t > best.t || !filter.accepts(triangle, hit.back_face, hit.u, hit.v)) continue;
-        if (hit.t == best.t && !precedes(triangle, triangles_[best.triangle])) continue;
+        // Triangles come in order: of equal ones the first stays.
+        if (hit.t >= best.t || !filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v))
+            continue;
         best = {hit.t, hit.u, hit.v, uint32_t(first + i), hit.back_face, 0};
     }
 }

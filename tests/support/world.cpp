@@ -7,14 +7,19 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <tuple>
 
 namespace peregrine::test {
 
-World::World(std::vector<geometry::Triangle> list, const accel::kdtree::BuildOptions& options,
-             uint32_t threads)
-    : triangles(std::move(list)) {
+World::World(std::vector<geometry::Triangle> list, uint32_t threads) : triangles(std::move(list)) {
+    std::sort(triangles.begin(), triangles.end(),
+              [](const geometry::Triangle& a, const geometry::Triangle& b) {
+                  return std::tie(a.mesh, a.primitive) < std::tie(b.mesh, b.primitive);
+              });
+    for (const geometry::Triangle& triangle : triangles) infos.push_back(triangle.info());
     base::Scheduler scheduler(threads, {}, &memory);
-    tree = accel::kdtree::build(triangles, options, scheduler, {}, &memory);
+    kdtree = accel::kdtree::build(triangles, {}, scheduler, {}, &memory);
+    bvh = accel::bvh::build(triangles, {}, scheduler, {}, &memory);
 }
 
 void TriangleList::add(const math::Vec3& v0, const math::Vec3& v1, const math::Vec3& v2) {

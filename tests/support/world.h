@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/bvh/builder.h"
 #include "accel/kdtree/builder.h"
 #include "base/memory.h"
 #include "base/scheduler.h"
@@ -13,18 +14,21 @@
 
 namespace peregrine::test {
 
-// Triangles with the structure over them, as the kernels want them.
+// Triangles with each structure over them, as the kernels want them.
 struct World {
-    explicit World(std::vector<geometry::Triangle> list,
-                   const accel::kdtree::BuildOptions& options = {}, uint32_t threads = 2);
+    explicit World(std::vector<geometry::Triangle> list, uint32_t threads = 2);
 
     trace::Target target() const {
-        return {triangles.data(), tree.nodes.data(), tree.references.data(), tree.bounds};
+        return {infos.data(),      kdtree.bounds,       bvh.nodes.data(),
+                bvh.blocks.data(), kdtree.nodes.data(), kdtree.references.data(),
+                triangles.data()};
     }
 
     base::HostMemory memory{{}};
-    std::vector<geometry::Triangle> triangles;
-    accel::kdtree::Tree tree{&memory};
+    std::vector<geometry::Triangle> triangles; // ascending in (mesh, primitive)
+    std::vector<geometry::TriangleInfo> infos;
+    accel::bvh::Tree bvh{&memory};
+    accel::kdtree::Tree kdtree{&memory};
 };
 
 // Number `index` of a list, from vertices; degenerate triangles are left out as by a commit.

@@ -57,7 +57,7 @@ void expect_same_as_sample(Wrap wrap_u, Wrap wrap_v, Sampling sampling, Texture:
         for (uint32_t x = 0; x < 61; ++x) {
             const trace::Hit hit =
                 snapshot.kernels->closest(snapshot.target, pinhole.primary(x, y), {});
-            const auto& triangle = snapshot.geometry->triangles[hit.triangle];
+            const auto& triangle = snapshot.target.infos[hit.triangle];
             const auto& vertices = snapshot.meshes[0].data->triangles[triangle.primitive];
             Vec2 uv[3];
             for (uint32_t k = 0; k < 3; ++k)

@@ -1,20 +1,22 @@
 // The packet kernels, compiled once for each instruction set: a packet is as many rays as a vector
-// has floats. Same operations in the same order as geometry/intersect.h and trace/kdtree_single.h,
+// has floats. Same operations in the same order as geometry/intersect.h and trace/kdtree/single.h,
 // so the same bits.
 #include "base/simd_targets.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "trace/stream_kernels.cpp"
+#define HWY_TARGET_INCLUDE "trace/kdtree/stream_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "trace/stream_kernels.h"
+#include "trace/kdtree/stream_kernels.h"
 
 #if HWY_TARGET != HWY_SCALAR // there the single-ray kernels do the work
-#include "trace/kdtree_packet-inl.h"
+#include "trace/kdtree/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace peregrine::trace::HWY_NAMESPACE {
+namespace peregrine::trace::kdtree::HWY_NAMESPACE {
+
+using namespace trace::HWY_NAMESPACE;
 
 template <bool Filtered>
 HWY_ATTR void closest_stream(const Target& target, const RayStream& rays, const Filter& filter,
@@ -44,12 +46,12 @@ HWY_ATTR void occluded(const Target& target, const RayStream& rays, const Filter
 
 [[maybe_unused]] constexpr StreamKernels kStreamKernels = {closest, occluded};
 
-} // namespace peregrine::trace::HWY_NAMESPACE
+} // namespace peregrine::trace::kdtree::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-namespace peregrine::trace {
+namespace peregrine::trace::kdtree {
 
 const StreamKernels* stream_kernels(base::Isa isa) {
     switch (isa) {
@@ -74,5 +76,5 @@ const StreamKernels* stream_kernels(base::Isa isa) {
     }
 }
 
-} // namespace peregrine::trace
+} // namespace peregrine::trace::kdtree
 #endif

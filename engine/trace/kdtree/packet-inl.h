@@ -10,12 +10,14 @@
 
 #include "accel/kdtree/tree.h"
 #include "trace/intersect_packet-inl.h"
-#include "trace/kdtree_single.h"
+#include "trace/kdtree/single.h"
 #include "trace/kernels.h"
 #include "trace/slabs.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace peregrine::trace::HWY_NAMESPACE {
+namespace peregrine::trace::kdtree::HWY_NAMESPACE {
+
+using namespace trace::HWY_NAMESPACE;
 
 // The rays of a packet and what slabs() knows of them, in vectors.
 struct Packet {
@@ -214,8 +216,8 @@ private:
         if (!intersect(sheared, triangle, active, packet_.t_min, t_, hit)) return;
         Mf wins = hn::And(hit.lanes, hn::Or(hn::Lt(hit.t, t_), first_hits()));
         const Mf ties = hn::AndNot(wins, hit.lanes);
-        if (!hn::AllFalse(kF, ties)) wins = hn::Or(wins, ties_won(ties, triangle));
-        if (Filtered) wins = accepted(wins, filter_, triangle, hit);
+        if (!hn::AllFalse(kF, ties)) wins = hn::Or(wins, ties_won(ties, index));
+        if (Filtered) wins = accepted(wins, filter_, triangle.info(), hit);
         t_ = hn::IfThenElse(wins, hit.t, t_);
         u_ = hn::IfThenElse(wins, hit.u, u_);
         v_ = hn::IfThenElse(wins, hit.v, v_);
@@ -227,15 +229,13 @@ private:
         return hn::RebindMask(kF, hn::Eq(triangle_, hn::Set(kU, geometry::kNoTriangle)));
     }
 
-    HWY_ATTR Mf ties_won(Mf ties, const geometry::Triangle& triangle) const {
+    HWY_ATTR Mf ties_won(Mf ties, uint32_t index) const {
         alignas(64) uint32_t best[kLanes];
         alignas(64) float won[kLanes];
         hn::Store(triangle_, kU, best);
         const uint64_t lanes = lane_bits(ties);
         for (size_t i = 0; i < kLanes; ++i) {
-            won[i] = (lanes >> i & 1) && comes_first(0, triangle, 0, target_.triangles + best[i])
-                         ? 1.0f
-                         : 0.0f;
+            won[i] = (lanes >> i & 1) && index < best[i] ? 1.0f : 0.0f;
         }
         return hn::Gt(hn::Load(kF, won), hn::Zero(kF));
     }
@@ -316,7 +316,7 @@ private:
                     PacketHit hit;
                     if (!intersect(sheared, triangle, open, packet_.t_min, packet_.t_max, hit))
                         continue;
-                    if (Filtered) hit.lanes = accepted(hit.lanes, filter_, triangle, hit);
+                    if (Filtered) hit.lanes = accepted(hit.lanes, filter_, triangle.info(), hit);
                     open = hn::AndNot(hit.lanes, open);
                     t_limit = hn::IfThenElse(hit.lanes, hn::Set(kF, kNever), t_limit);
                     blocked |= lane_bits(hit.lanes);
@@ -349,6 +349,6 @@ private:
     Packet packet_;
 };
 
-} // namespace peregrine::trace::HWY_NAMESPACE
+} // namespace peregrine::trace::kdtree::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -2,7 +2,7 @@
 
 #include "trace/kernels.h"
 
-namespace peregrine::trace {
+namespace peregrine::trace::kdtree {
 
 struct StreamKernels {
     void (*closest)(const Target& target, const RayStream& rays, const Filter& filter,
@@ -14,4 +14,4 @@ struct StreamKernels {
 // Null if not compiled for this instruction set. Does not ask the machine.
 const StreamKernels* stream_kernels(base::Isa isa);
 
-} // namespace peregrine::trace
+} // namespace peregrine::trace::kdtree

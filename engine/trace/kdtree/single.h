@@ -5,15 +5,7 @@
 #include "trace/kernels.h"
 #include "trace/slabs.h"
 
-namespace peregrine::trace {
-
-// Smaller t first; of equal ones the smaller (mesh, primitive). Independent of any order of visits.
-inline bool comes_first(float t, const geometry::Triangle& triangle, float best_t,
-                        const geometry::Triangle* best) {
-    if (t != best_t || !best) return t <= best_t;
-    return triangle.mesh != best->mesh ? triangle.mesh < best->mesh
-                                       : triangle.primitive < best->primitive;
-}
+namespace peregrine::trace::kdtree {
 
 // Visits the leaves that the ray may touch, near ones first. `leaf(first, count, t_far)` may lower
 // t_far to what is still of interest; it returns true to stop. Returns the number of nodes visited.
@@ -69,28 +61,29 @@ uint32_t visit_leaves(const Target& target, Slabs<Real> ray, Leaf&& leaf) {
 template <bool Filtered, class Real>
 Hit closest_single(const Target& target, const math::Ray& ray, const Filter& filter, Real reach) {
     geometry::ShearedRay sheared = geometry::shear(ray);
-    const geometry::Triangle* best = nullptr;
+    uint32_t best = geometry::kNoTriangle;
     geometry::TriangleHit found{};
     const uint32_t steps = visit_leaves(
         target, slabs<Real>(target.bounds, ray, reach),
         [&](uint32_t first, uint32_t count, Real& t_limit) {
             for (uint32_t i = first; i < first + count; ++i) {
-                const auto& triangle = target.triangles[target.references[i]];
+                const uint32_t index = target.references[i];
+                const auto& triangle = target.triangles[index];
                 geometry::TriangleHit hit;
                 if (!geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit))
                     continue;
-                if (!comes_first(hit.t, triangle, sheared.t_max, best)) continue;
-                if (Filtered && !filter.accepts(triangle, hit.back_face, hit.u, hit.v)) continue;
-                best = &triangle;
+                if (!comes_first(hit.t, index, sheared.t_max, best)) continue;
+                if (Filtered && !filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v))
+                    continue;
+                best = index;
                 found = hit;
                 sheared.t_max = hit.t;
                 t_limit = std::min(t_limit, Real(hit.t));
             }
             return false;
         });
-    if (!best)
-        return {std::numeric_limits<float>::infinity(), 0, 0, geometry::kNoTriangle, false, steps};
-    return {found.t, found.u, found.v, uint32_t(best - target.triangles), found.back_face, steps};
+    if (best == geometry::kNoTriangle) return miss(steps);
+    return {found.t, found.u, found.v, best, found.back_face, steps};
 }
 
 template <bool Filtered, class Real>
@@ -103,7 +96,7 @@ bool occluded_single(const Target& target, const math::Ray& ray, const Filter& f
                 const auto& triangle = target.triangles[target.references[i]];
                 geometry::TriangleHit hit;
                 if (geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)
-                    && (!Filtered || filter.accepts(triangle, hit.back_face, hit.u, hit.v)))
+                    && (!Filtered || filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v)))
                     return occluded = true;
             }
             return false;
@@ -111,4 +104,4 @@ bool occluded_single(const Target& target, const math::Ray& ray, const Filter& f
     return occluded;
 }
 
-} // namespace peregrine::trace
+} // namespace peregrine::trace::kdtree

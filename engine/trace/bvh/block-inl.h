@@ -1,0 +1,125 @@
+// One ray and a block of four triangles: geometry/intersect.h, lane by lane, the same operations in
+// the same order. Included once for each instruction set.
+#if defined(PEREGRINE_TRACE_BVH_BLOCK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_BVH_BLOCK_INL_H
+#undef PEREGRINE_TRACE_BVH_BLOCK_INL_H
+#else
+#define PEREGRINE_TRACE_BVH_BLOCK_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "accel/bvh/tree.h"
+#include "geometry/intersect.h"
+#include "trace/bvh/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+using accel::bvh::Block;
+
+// What of a ray the test needs, in all lanes.
+struct BlockRay {
+    V4 ox, oy, oz;
+    V4 sx, sy;
+    Vd dz;
+    float t_min, t_max;
+    uint32_t kx, ky, kz; // offsets of the axes in a vertex of a block, in floats
+
+    HWY_ATTR explicit BlockRay(const math::Ray& ray) {
+        const geometry::ShearedRay sheared = geometry::shear(ray);
+        ox = hn::Set(k4, ray.origin[sheared.kx]);
+        oy = hn::Set(k4, ray.origin[sheared.ky]);
+        oz = hn::Set(k4, ray.origin[sheared.kz]);
+        sx = hn::Set(k4, sheared.sx);
+        sy = hn::Set(k4, sheared.sy);
+        dz = hn::Set(kD, sheared.dz);
+        t_min = sheared.t_min;
+        t_max = sheared.t_max;
+        kx = uint32_t(sheared.kx) * accel::bvh::kBlockWidth;
+        ky = uint32_t(sheared.ky) * accel::bvh::kBlockWidth;
+        kz = uint32_t(sheared.kz) * accel::bvh::kBlockWidth;
+    }
+};
+
+struct BlockHits {
+    uint32_t lanes; // bits
+    uint32_t back_faces;
+    alignas(16) float t[4], u[4], v[4]; // of `lanes`
+};
+
+// Vertices relative to the ray.
+struct ShearedBlock {
+    V4 ax, ay, az, bx, by, bz, cx, cy, cz;
+
+    HWY_ATTR ShearedBlock(const BlockRay& ray, const Block& block) {
+        const auto shear = [&](uint32_t vertex, V4& x, V4& y, V4& z) HWY_ATTR {
+            const float* p = &block.vertex[vertex][0][0];
+            z = hn::Sub(hn::Load(k4, p + ray.kz), ray.oz);
+            x = hn::Sub(hn::Sub(hn::Load(k4, p + ray.kx), ray.ox), hn::Mul(ray.sx, z));
+            y = hn::Sub(hn::Sub(hn::Load(k4, p + ray.ky), ray.oy), hn::Mul(ray.sy, z));
+        };
+        shear(0, ax, ay, az);
+        shear(1, bx, by, bz);
+        shear(2, cx, cy, cz);
+    }
+
+    // Lanes that the exact edge functions cannot reject for their signs.
+    HWY_INLINE HWY_ATTR uint32_t maybe() const {
+        const V4 u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
+        const V4 v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
+        const V4 w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+        const V4 zero = hn::Zero(k4);
+        const auto outside = hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero),
+                                     hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
+        return ~bits_of(k4, outside) & 15u;
+    }
+};
+
+// Steps 4 to 6 for as many triangles as a vector has doubles, from lane `first` on.
+HWY_INLINE HWY_ATTR uint32_t decide(const BlockRay& ray, const ShearedBlock& s, size_t first,
+                                    float t_max, BlockHits& hits) {
+    const auto part = [first](V4 x) HWY_ATTR { return promote_part(x, first); };
+    const Vd ax = part(s.ax), ay = part(s.ay), bx = part(s.bx), by = part(s.by), cx = part(s.cx),
+             cy = part(s.cy);
+    const Vd u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
+    const Vd v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
+    const Vd w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+    const Vd zero = hn::Zero(kD);
+    const auto outside =
+        hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero), hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
+    const Vd det = hn::Add(hn::Add(u, v), w);
+    const auto missed = hn::Or(outside, hn::Eq(det, zero));
+    const Vd depth =
+        hn::Add(hn::Add(hn::Mul(u, part(s.az)), hn::Mul(v, part(s.bz))), hn::Mul(w, part(s.cz)));
+    const Vd r = hn::Div(hn::Set(kD, 1.0), hn::Mul(det, ray.dz));
+    const auto t = hn::DemoteTo(kFd, hn::Mul(depth, r));
+    const auto in_range =
+        hn::And(hn::Ge(t, hn::Set(kFd, ray.t_min)), hn::Le(t, hn::Set(kFd, t_max)));
+    const uint32_t lanes = bits_of(kFd, in_range) & ~bits_of(kD, missed);
+    if (lanes == 0) return 0;
+    hn::StoreU(t, kFd, hits.t + first);
+    hn::StoreU(hn::DemoteTo(kFd, hn::Mul(hn::Mul(v, ray.dz), r)), kFd, hits.u + first);
+    hn::StoreU(hn::DemoteTo(kFd, hn::Mul(hn::Mul(w, ray.dz), r)), kFd, hits.v + first);
+    // det is not 0 in these lanes; its sign differs from dz's on the back.
+    const uint32_t backs =
+        bits_of(kD, hn::Lt(hn::CopySign(hn::Set(kD, 1.0), hn::Xor(det, ray.dz)), zero));
+    hits.back_faces |= backs << first;
+    return lanes << first;
+}
+
+// The triangles of the block that the ray hits up to t_max; false if there are none.
+HWY_INLINE HWY_ATTR bool intersect(const BlockRay& ray, const Block& block, float t_max,
+                                   BlockHits& hits) {
+    const ShearedBlock sheared(ray, block);
+    const uint32_t maybe = sheared.maybe();
+    if (maybe == 0) return false;
+    hits.lanes = hits.back_faces = 0;
+    for (size_t first = 0; first < 4; first += kLanesD)
+        hits.lanes |= decide(ray, sheared, first, t_max, hits);
+    return hits.lanes != 0;
+}
+
+} // namespace peregrine::trace::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,55 @@
+// The vectors of the wide BVH's kernels: its layout is fixed, machines fill it in one or two steps.
+// Included once for each instruction set.
+#if defined(PEREGRINE_TRACE_BVH_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_BVH_LANES_INL_H
+#undef PEREGRINE_TRACE_BVH_LANES_INL_H
+#else
+#define PEREGRINE_TRACE_BVH_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Boxes of a node: eight, or four.
+using D8 = hn::CappedTag<float, 8>;
+constexpr D8 k8;
+constexpr size_t kLanes8 = hn::MaxLanes(k8);
+using V8 = hn::Vec<D8>;
+using M8 = hn::Mask<D8>;
+
+// Triangles of a block.
+using D4 = hn::CappedTag<float, 4>;
+constexpr D4 k4;
+using V4 = hn::Vec<D4>;
+
+// ... in double: four, or two.
+using Dd = hn::CappedTag<double, 4>;
+constexpr Dd kD;
+constexpr size_t kLanesD = hn::MaxLanes(kD);
+using Vd = hn::Vec<Dd>;
+using Dfd = hn::Rebind<float, Dd>;
+constexpr Dfd kFd;
+
+template <class D>
+HWY_INLINE HWY_ATTR uint32_t bits_of(D d, hn::Mask<D> mask) {
+    uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    return bytes[0];
+}
+
+// Lanes first to first + kLanesD of a block, as doubles.
+template <class V>
+HWY_INLINE HWY_ATTR Vd promote_part(V x, size_t first) {
+    if constexpr (kLanesD == 4)
+        return hn::PromoteTo(kD, x);
+    else
+        return hn::PromoteTo(kD, first == 0 ? hn::LowerHalf(kFd, x) : hn::UpperHalf(kFd, x));
+}
+
+} // namespace peregrine::trace::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

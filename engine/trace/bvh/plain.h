@@ -1,0 +1,121 @@
+#pragma once
+
+#include "accel/bvh/tree.h"
+#include "geometry/intersect.h"
+#include "trace/kernels.h"
+#include "trace/slabs.h"
+
+// One ray through the wide BVH in plain C++, in float or double: for machines without SIMD kernels,
+// and for rays whose numbers do not fit float.
+namespace peregrine::trace::bvh {
+
+using accel::bvh::Block;
+using accel::bvh::Link;
+using accel::bvh::Node;
+
+template <class Real>
+struct PlainEntry {
+    Link link;
+    Real t_near;
+};
+
+// The children that the ray may touch up to t_limit, near ones last.
+template <class Real>
+uint32_t enter(const Node& node, const Slabs<Real>& ray, Real t_limit, PlainEntry<Real>* out) {
+    uint32_t count = 0;
+    for (uint32_t child = 0; child < accel::bvh::kWidth; ++child) {
+        if (!(node.lower[0][child] <= node.upper[0][child])) continue;
+        Real t_near = ray.t_near, t_far = t_limit;
+        for (int k = 0; k < 3; ++k) {
+            const Real lower = (Real(node.lower[k][child]) - ray.origin[k]) * ray.inverse[k];
+            const Real upper = (Real(node.upper[k][child]) - ray.origin[k]) * ray.inverse[k];
+            t_near = std::max(t_near, std::min(lower, upper) - ray.margin[k]);
+            t_far = std::min(t_far, std::max(lower, upper) + ray.margin[k]);
+        }
+        if (!(t_near <= t_far)) continue;
+        uint32_t place = count++;
+        for (; place > 0 && out[place - 1].t_near < t_near; --place) out[place] = out[place - 1];
+        out[place] = {node.child[child], t_near};
+    }
+    return count;
+}
+
+// `test(block, lane, t_limit)` may lower t_limit; it returns true to stop. Returns the number of
+// nodes visited.
+template <class Real, class Test>
+uint32_t visit_triangles(const Target& target, const Slabs<Real>& ray, Test&& test) {
+    PlainEntry<Real> stack[accel::bvh::kStackSize];
+    Real t_limit = ray.t_far;
+    if (!(ray.t_near <= t_limit)) return 0;
+    uint32_t visited = 0;
+    uint32_t depth = 0;
+    stack[depth++] = {Link::inner(0), ray.t_near};
+    while (depth > 0) {
+        const PlainEntry<Real> entry = stack[--depth];
+        if (entry.t_near > t_limit) continue;
+        if (!entry.link.is_leaf()) {
+            depth += enter(target.bvh_nodes[entry.link.node()], ray, t_limit, stack + depth);
+            ++visited;
+            continue;
+        }
+        const Block* block = target.bvh_blocks + entry.link.first_block();
+        for (uint32_t i = 0; i < entry.link.count(); ++i)
+            if (test(block[i / accel::bvh::kBlockWidth], i % accel::bvh::kBlockWidth, t_limit))
+                return visited;
+    }
+    return visited;
+}
+
+inline bool intersect(const geometry::ShearedRay& ray, const Block& block, uint32_t lane,
+                      geometry::TriangleHit& hit) {
+    const auto vertex = [&](int i) {
+        return math::Vec3(block.vertex[i][0][lane], block.vertex[i][1][lane],
+                          block.vertex[i][2][lane]);
+    };
+    return geometry::intersect(ray, vertex(0), vertex(1), vertex(2), hit);
+}
+
+template <bool Filtered, class Real>
+Hit closest_plain(const Target& target, const math::Ray& ray, const Filter& filter) {
+    geometry::ShearedRay sheared = geometry::shear(ray);
+    Hit best = miss(0);
+    const uint32_t steps = visit_triangles(
+        target, slabs(target.bounds, ray, reach<Real>(target.bounds, ray.origin)),
+        [&](const Block& block, uint32_t lane, Real& t_limit) {
+            geometry::TriangleHit hit;
+            const uint32_t index = block.triangle[lane];
+            if (!intersect(sheared, block, lane, hit)
+                || !comes_first(hit.t, index, sheared.t_max, best.triangle)
+                || (Filtered && !filter.accepts(target.infos[index], hit.back_face, hit.u, hit.v)))
+                return false;
+            best = {hit.t, hit.u, hit.v, index, hit.back_face, 0};
+            sheared.t_max = hit.t;
+            t_limit = std::min(t_limit, Real(hit.t));
+            return false;
+        });
+    best.steps = steps;
+    return best;
+}
+
+template <bool Filtered, class Real>
+bool occluded_plain(const Target& target, const math::Ray& ray, const Filter& filter) {
+    const geometry::ShearedRay sheared = geometry::shear(ray);
+    bool occluded = false;
+    visit_triangles(target, slabs(target.bounds, ray, reach<Real>(target.bounds, ray.origin)),
+                    [&](const Block& block, uint32_t lane, Real&) {
+                        geometry::TriangleHit hit;
+                        occluded = intersect(sheared, block, lane, hit)
+                                   && (!Filtered
+                                       || filter.accepts(target.infos[block.triangle[lane]],
+                                                         hit.back_face, hit.u, hit.v));
+                        return occluded;
+                    });
+    return occluded;
+}
+
+// Whether float has the range for this ray.
+inline bool is_regular(const Target& target, const math::Ray& ray) {
+    return fits_float(largest_component(ray.direction), reach<float>(target.bounds, ray.origin));
+}
+
+} // namespace peregrine::trace::bvh

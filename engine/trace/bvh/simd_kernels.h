@@ -1,0 +1,10 @@
+#pragma once
+
+#include "trace/kernels.h"
+
+namespace peregrine::trace::bvh {
+
+// Null if not compiled for this instruction set. Does not ask the machine.
+const Kernels* simd_kernels(base::Isa isa);
+
+} // namespace peregrine::trace::bvh
