@@ -13,6 +13,22 @@ constexpr size_t kStream = 256; // rays of a stream's call
 constexpr RTCIntersectContextFlags kCoherent = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 constexpr RTCIntersectContextFlags kIncoherent = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
 
+// Embree asks for denormals to be flushed; the header of ours asks for the default.
+class FlushDenormals {
+public:
+#if defined(__SSE__)
+    FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | kFlushToZero | kAreZero); }
+    ~FlushDenormals() { _mm_setcsr(before_); }
+
+private:
+    static constexpr unsigned kFlushToZero = 0x8000, kAreZero = 0x0040;
+    unsigned before_;
+#else
+    FlushDenormals() {}
+    ~FlushDenormals() {}
+#endif
+};
+
 // A call of Embree and what surrounds it.
 struct Job {
     RTCScene scene;
@@ -77,6 +93,11 @@ void any_stream(const Job& job) {
     }
 }
 
+template <size_t N>
+void mark_valid(int (&valid)[N], size_t count) {
+    for (size_t i = 0; i < N; ++i) valid[i] = i < count ? -1 : 0;
+}
+
 // Packets, and streams of rays side by side.
 template <size_t N>
 void intersect(const Job& job, const int* valid, EmbreeRayHits<N>& hits) {
@@ -98,37 +119,53 @@ void occluded(const Job& job, const int* valid, EmbreeRays<N>& rays) {
         rtcOccludedNM(job.scene, job.context, static_cast<RTCRayN*>(p), N, 1, sizeof rays);
 }
 
+// Rays are turned in blocks: a packet that is read right after it was written would wait for its
+// own stores.
+constexpr size_t kBlock = kStream;
+
 template <size_t N>
 void closest_packets(const Job& job) {
     alignas(64) int valid[N];
-    std::fill_n(valid, N, -1);
-    EmbreeRayHits<N> packet;
-    initialise(packet.ray);
-    std::memset(packet.instance, 0xff, sizeof packet.instance);
-    for (size_t done = 0; done < job.count; done += N) {
-        const size_t first = job.first + done, count = std::min(N, job.count - done);
-        load_rays(job.rays + first, count, packet.ray);
-        std::memset(packet.triangle, 0xff, sizeof packet.triangle);
-        std::memset(packet.mesh, 0xff, sizeof packet.mesh);
-        for (size_t i = count; i < N; ++i) valid[i] = 0;
-        intersect(job, valid, packet);
-        std::copy_n(packet.ray.tfar, count, job.results.t.data() + first);
-        std::copy_n(packet.triangle, count, job.results.triangle.data() + first);
-        std::copy_n(packet.mesh, count, job.results.mesh.data() + first);
+    EmbreeRayHits<N> packets[kBlock / N];
+    for (auto& packet : packets) {
+        initialise(packet.ray);
+        std::memset(packet.instance, 0xff, sizeof packet.instance);
+    }
+    for (size_t done = 0; done < job.count; done += kBlock) {
+        const size_t first = job.first + done, count = std::min(kBlock, job.count - done);
+        for (size_t i = 0; i < count; i += N) {
+            EmbreeRayHits<N>& packet = packets[i / N];
+            load_rays(job.rays + first + i, count - i, packet.ray);
+            std::memset(packet.triangle, 0xff, sizeof packet.triangle);
+            std::memset(packet.mesh, 0xff, sizeof packet.mesh);
+        }
+        for (size_t i = 0; i < count; i += N) {
+            mark_valid(valid, count - i);
+            intersect(job, valid, packets[i / N]);
+        }
+        for (size_t i = 0; i < count; i += N) {
+            const size_t n = std::min(N, count - i);
+            std::copy_n(packets[i / N].ray.tfar, n, job.results.t.data() + first + i);
+            std::copy_n(packets[i / N].triangle, n, job.results.triangle.data() + first + i);
+            std::copy_n(packets[i / N].mesh, n, job.results.mesh.data() + first + i);
+        }
     }
 }
 template <size_t N>
 void any_packets(const Job& job) {
     alignas(64) int valid[N];
-    std::fill_n(valid, N, -1);
-    EmbreeRays<N> packet;
-    initialise(packet);
-    for (size_t done = 0; done < job.count; done += N) {
-        const size_t first = job.first + done, count = std::min(N, job.count - done);
-        load_rays(job.rays + first, count, packet);
-        for (size_t i = count; i < N; ++i) valid[i] = 0;
-        occluded(job, valid, packet);
-        for (size_t i = 0; i < count; ++i) job.results.occluded[first + i] = packet.tfar[i] < 0;
+    EmbreeRays<N> packets[kBlock / N];
+    for (auto& packet : packets) initialise(packet);
+    for (size_t done = 0; done < job.count; done += kBlock) {
+        const size_t first = job.first + done, count = std::min(kBlock, job.count - done);
+        for (size_t i = 0; i < count; i += N)
+            load_rays(job.rays + first + i, count - i, packets[i / N]);
+        for (size_t i = 0; i < count; i += N) {
+            mark_valid(valid, count - i);
+            occluded(job, valid, packets[i / N]);
+        }
+        for (size_t i = 0; i < count; ++i)
+            job.results.occluded[first + i] = packets[i / N].tfar[i % N] < 0;
     }
 }
 
@@ -185,6 +222,7 @@ public:
 
     void trace(size_t mode, const RaySet& set, size_t first, size_t count,
                Results& results) const override {
+        const FlushDenormals flush;
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         context.flags = kModes[mode].flags;

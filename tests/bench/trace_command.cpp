@@ -18,7 +18,7 @@
 namespace peregrine::bench {
 namespace {
 
-constexpr size_t kFinalists = 2; // modes of a peer that run in every pass
+constexpr size_t kFinalists = 3; // modes of a peer that run in every pass
 
 struct Contestant {
     std::unique_ptr<Tracer> tracer;
@@ -48,10 +48,15 @@ public:
             const size_t first = entrants_.size();
             for (size_t mode = 0; mode < tracer.mode_count(); ++mode) {
                 if (!tracer.suits(mode, set_)) continue;
-                const double seconds = runner_.run(tracer, mode, set_, results_);
+                double seconds = runner_.run(tracer, mode, set_, results_);
+                if (contestant.peer) // the choice between its modes should not be left to chance
+                    seconds = std::min(seconds, runner_.run(tracer, mode, set_, results_));
                 const uint64_t mismatches =
                     count_mismatches(tracer, !contestant.peer, set_, results_, exact);
                 entrants_.push_back({&contestant, mode, seconds, mismatches});
+                std::fprintf(stderr, "  %c %-14s %-26s %8.2f MRays/s\n", set_.kind,
+                             tracer.name().c_str(), tracer.mode_name(mode).c_str(),
+                             rate(entrants_.back()));
             }
             if (contestant.peer) keep_fastest(first, kFinalists);
         }

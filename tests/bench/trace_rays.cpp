@@ -16,7 +16,7 @@ using math::Ray;
 using math::Vec3;
 
 const char* const kRayLegend =
-    "P  primary, closest: 1024x1024 from each of two cameras at most, a batch per camera\n"
+    "P  primary, closest: an image (--size) from each of two cameras at most, a batch per camera\n"
     "S  shadow, any hit: from the point light that reaches most of what a camera sees, to the\n"
     "   points it sees that face the light, t in [0, 1 - 2^-12], in the order of P; a batch per "
     "light\n"
