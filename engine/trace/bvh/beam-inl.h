@@ -32,10 +32,10 @@ struct Window {
 // is the points (p z, q z, z), so z is also what hits are ordered by.
 struct Beam {
     int kx, ky, kz;
-    float sign;   // of the directions along kz
+    float sign;      // of the directions along kz
     float origin[3]; // along kx, ky, kz
-    float margin; // what boxes are widened by
-    float near;   // z where the first ray begins
+    float margin;    // what boxes are widened by
+    float near;      // z where the first ray begins
     float center_p, center_q;
     uint32_t first, count; // rays of the stream
     uint32_t groups;       // bits
@@ -139,8 +139,8 @@ inline HWY_ATTR bool Beam::gather(const Target& target, const RayStream& rays, u
             const V8 p_v = hn::Div(load(rays.direction[kx]), scale_v);
             const V8 q_v = hn::Div(load(rays.direction[ky]), scale_v);
             for (int k = 0; k < 3; ++k)
-                same_origin = hn::And(same_origin, hn::Eq(load(rays.origin[k]),
-                                                          hn::Set(k8, ray.origin[k])));
+                same_origin =
+                    hn::And(same_origin, hn::Eq(load(rays.origin[k]), hn::Set(k8, ray.origin[k])));
             const V8 slope = hn::Max(hn::Abs(p_v), hn::Abs(q_v));
             steepest = hn::Max(steepest, slope);
             least_scale = hn::Min(least_scale, scale_v);
