@@ -32,22 +32,24 @@ struct Window {
 // is the points (p z, q z, z), so z is also what hits are ordered by.
 struct Beam {
     int kx, ky, kz;
-    float sign;      // of the directions along kz
-    float origin[3]; // along kx, ky, kz
-    float margin;    // what boxes are widened by
-    float near;      // z where the first ray begins
+    float sign;       // of the directions along kz
+    float origin[3];  // along kx, ky, kz
+    float margin;     // what boxes are widened by
+    float near;       // z where the first ray begins, ...
+    float last_begin; // ... and the last
     float center_p, center_q;
     uint32_t first, count; // rays of the stream
     uint32_t groups;       // bits
 
+    // sx and sy of geometry::shear for rays whose main axis is kz, and their slopes p and q less
+    // those of the centre.
+    alignas(64) float sx[kBeamRays], sy[kBeamRays];
     alignas(64) float p[kBeamRays], q[kBeamRays];
-    alignas(64) float from_center_p[kBeamRays], from_center_q[kBeamRays];
-    alignas(64) float scale[kBeamRays]; // |direction| along kz: z = t scale
     alignas(64) float limit[kBeamRays]; // z that a hit must not exceed; negative: no more hits
-    uint32_t foreign[kGroups]; // bits of a group's rays with another main axis of their own
+    uint32_t foreign[kGroups];          // bits of a group's rays with another main axis
 
-    Window window;
-    alignas(64) float group_p0[kGroups], group_p1[kGroups]; // windows from the centre
+    Window window; // from the centre, as are the groups'
+    alignas(64) float group_p0[kGroups], group_p1[kGroups];
     alignas(64) float group_q0[kGroups], group_q1[kGroups];
     alignas(64) float group_limit[kGroups]; // the largest limit of its rays
 
@@ -70,38 +72,162 @@ struct Beam {
         return bits & mask;
     }
 
-    // The largest limit of groups in `mask`.
+    // The largest limit of groups in `mask`, and the union of their windows.
     HWY_INLINE HWY_ATTR float limit_of(uint32_t mask) const {
-        float largest = -1;
-        for (; mask; mask &= mask - 1)
-            largest = std::max(largest, group_limit[__builtin_ctz(mask)]);
-        return largest;
+        return -least_of(mask, group_limit, true);
+    }
+    HWY_INLINE HWY_ATTR Window window_of(uint32_t mask) const {
+        return {least_of(mask, group_p0, false), -least_of(mask, group_p1, true),
+                least_of(mask, group_q0, false), -least_of(mask, group_q1, true)};
     }
 
-    // The union of the groups' windows.
-    HWY_INLINE HWY_ATTR Window window_of(uint32_t mask) const {
-        constexpr float kInfinity = std::numeric_limits<float>::infinity();
-        Window w{kInfinity, -kInfinity, kInfinity, -kInfinity};
-        for (; mask; mask &= mask - 1) {
-            const int g = __builtin_ctz(mask);
-            w.p0 = std::min(w.p0, group_p0[g]);
-            w.p1 = std::max(w.p1, group_p1[g]);
-            w.q0 = std::min(w.q0, group_q0[g]);
-            w.q1 = std::max(w.q1, group_q1[g]);
+private:
+    template <bool Full>
+    HWY_ATTR bool gather_rays(const RayStream& rays);
+    HWY_ATTR void center();
+
+    HWY_INLINE HWY_ATTR float least_of(uint32_t mask, const float* values, bool negated) const {
+        const V8 infinity = hn::Set(k8, std::numeric_limits<float>::infinity());
+        V8 least = infinity;
+        for (uint32_t g = 0; g < kGroups; g += kLanes8) {
+            const V8 value = hn::Load(k8, values + g);
+            least = hn::Min(least, hn::IfThenElse(mask_of(mask >> g),
+                                                  negated ? hn::Neg(value) : value, infinity));
         }
-        return w;
+        return hn::GetLane(hn::MinOfLanes(k8, least));
     }
 };
 
+// What the rays of a beam or a group have in common. Lanes are different rays until reduce().
+struct Extent {
+    V8 p0, minus_p1, q0, minus_q1;
+
+    HWY_ATTR Extent() {
+        p0 = minus_p1 = q0 = minus_q1 = hn::Set(k8, std::numeric_limits<float>::infinity());
+    }
+    HWY_INLINE HWY_ATTR void add(V8 p, V8 q) {
+        p0 = hn::Min(p0, p);
+        q0 = hn::Min(q0, q);
+        minus_p1 = hn::Min(minus_p1, hn::Neg(p));
+        minus_q1 = hn::Min(minus_q1, hn::Neg(q));
+    }
+    // p0, q0, -p1, -q1.
+    HWY_INLINE HWY_ATTR V4 reduce() const {
+        const V8 pq0 = hn::Min(hn::InterleaveLower(k8, p0, q0), hn::InterleaveUpper(k8, p0, q0));
+        const V8 pq1 = hn::Min(hn::InterleaveLower(k8, minus_p1, minus_q1),
+                               hn::InterleaveUpper(k8, minus_p1, minus_q1));
+        const hn::Repartition<double, D8> pairs;
+        const auto a = hn::BitCast(pairs, pq0), b = hn::BitCast(pairs, pq1);
+        const V8 all = hn::Min(hn::BitCast(k8, hn::InterleaveLower(pairs, a, b)),
+                               hn::BitCast(k8, hn::InterleaveUpper(pairs, a, b)));
+        return least_of_halves(all);
+    }
+};
+
+template <bool Full>
+HWY_ATTR bool Beam::gather_rays(const RayStream& rays) {
+    // Edge functions of the canonical test and of Facets agree up to this slope.
+    constexpr float kMaxSlope = 1.125f;
+    const uint32_t middle = first + count / 2;
+    const V8 one = hn::Set(k8, 1.0f);
+    const V8 sign_v = hn::Set(k8, sign);
+    const V8 ox = hn::Set(k8, rays.origin[0][middle]), oy = hn::Set(k8, rays.origin[1][middle]),
+             oz = hn::Set(k8, rays.origin[2][middle]);
+    V8 steepest = hn::Zero(k8), least_scale = hn::Set(k8, 0x1p32f), most_scale = hn::Zero(k8);
+    V8 begin = hn::Set(k8, std::numeric_limits<float>::infinity());
+    V8 last = hn::Zero(k8);
+    V8 apart = hn::Zero(k8);
+    const uint32_t group_count = (count + kGroupRays - 1) / kGroupRays;
+    for (uint32_t g = 0; g < group_count; ++g) {
+        Extent extent;
+        uint32_t steep = 0;
+        V8 farthest = hn::Set(k8, -1.0f);
+        for (uint32_t i = g * kGroupRays; i < (g + 1) * kGroupRays; i += kLanes8) {
+            // Places beyond the last ray repeat the middle one, without ever being hit.
+            const M8 there = hn::FirstN(k8, Full ? kLanes8 : i < count ? count - i : 0);
+            const auto load = [&](const float* array) HWY_ATTR {
+                const V8 value = hn::LoadU(k8, array + first + i);
+                return Full ? value : hn::IfThenElse(there, value, hn::Set(k8, array[middle]));
+            };
+            apart = hn::Or(apart, hn::Or(hn::Xor(load(rays.origin[0]), ox),
+                                         hn::Or(hn::Xor(load(rays.origin[1]), oy),
+                                                hn::Xor(load(rays.origin[2]), oz))));
+            const V8 dz = load(rays.direction[kz]);
+            const V8 x = hn::Div(load(rays.direction[kx]), dz);
+            const V8 y = hn::Div(load(rays.direction[ky]), dz);
+            hn::Store(x, k8, sx + i);
+            hn::Store(y, k8, sy + i);
+            const V8 slope_p = hn::Mul(x, sign_v), slope_q = hn::Mul(y, sign_v);
+            hn::Store(slope_p, k8, p + i);
+            hn::Store(slope_q, k8, q + i);
+            extent.add(slope_p, slope_q);
+            const V8 slope = hn::Max(hn::Abs(x), hn::Abs(y));
+            steepest = hn::Max(steepest, slope);
+            // The rule of geometry::shear; where two axes tie, either may be the main one.
+            steep |= bits_of(k8, hn::Ge(slope, one)) << (i % kGroupRays);
+            const V8 scale = hn::Mul(dz, sign_v);
+            least_scale = hn::Min(least_scale, scale);
+            most_scale = hn::Max(most_scale, scale);
+            const V8 t_min = load(rays.t_min);
+            begin = hn::Min(begin, t_min);
+            last = hn::Max(last, hn::Mul(t_min, scale));
+            V8 end = hn::Mul(load(rays.t_max), scale);
+            if (!Full) end = hn::IfThenElse(there, end, hn::Set(k8, -1.0f));
+            hn::Store(end, k8, limit + i);
+            farthest = hn::Max(farthest, end);
+        }
+        foreign[g] = steep;
+        alignas(16) float reduced[4];
+        hn::Store(extent.reduce(), k4, reduced);
+        group_p0[g] = reduced[0];
+        group_q0[g] = reduced[1];
+        group_p1[g] = -reduced[2];
+        group_q1[g] = -reduced[3];
+        group_limit[g] = hn::GetLane(hn::MaxOfLanes(k8, farthest));
+    }
+    const hn::RebindToUnsigned<D8> u8;
+    if (!hn::AllTrue(u8, hn::Eq(hn::BitCast(u8, apart), hn::Zero(u8)))) return false;
+    const float least = hn::GetLane(hn::MinOfLanes(k8, least_scale));
+    if (!(hn::GetLane(hn::MaxOfLanes(k8, steepest)) <= kMaxSlope && least >= 0x1p-32f
+          && hn::GetLane(hn::MaxOfLanes(k8, most_scale)) <= 0x1p32f))
+        return false;
+    near = hn::GetLane(hn::MinOfLanes(k8, begin)) * least;
+    last_begin = hn::GetLane(hn::MaxOfLanes(k8, last)) * (1.0f + 0x1p-20f);
+    groups = (1u << group_count) - 1;
+    return near >= 0;
+}
+
+// From slopes to slopes less those of the centre.
+inline HWY_ATTR void Beam::center() {
+    for (uint32_t g = uint32_t(__builtin_popcount(groups)); g < kGroups; ++g) {
+        group_p0[g] = group_p1[g] = group_p0[0];
+        group_q0[g] = group_q1[g] = group_q0[0];
+        group_limit[g] = -1;
+    }
+    window = window_of(groups);
+    center_p = 0.5f * (window.p0 + window.p1);
+    center_q = 0.5f * (window.q0 + window.q1);
+    window = {window.p0 - center_p, window.p1 - center_p, window.q0 - center_q,
+              window.q1 - center_q};
+    const V8 cp = hn::Set(k8, center_p), cq = hn::Set(k8, center_q);
+    const auto subtract = [](float* values, uint32_t n, V8 c) HWY_ATTR {
+        for (uint32_t i = 0; i < n; i += kLanes8)
+            hn::Store(hn::Sub(hn::Load(k8, values + i), c), k8, values + i);
+    };
+    const uint32_t padded = uint32_t(__builtin_popcount(groups)) * kGroupRays;
+    subtract(p, padded, cp);
+    subtract(q, padded, cq);
+    subtract(group_p0, kGroups, cp);
+    subtract(group_p1, kGroups, cp);
+    subtract(group_q0, kGroups, cq);
+    subtract(group_q1, kGroups, cq);
+}
+
 inline HWY_ATTR bool Beam::gather(const Target& target, const RayStream& rays, uint32_t begin,
                                   uint32_t n) {
-    // Canonical rays and these agree on the sign of an edge function but near 0 up to this slope:
-    // see Facet.
-    constexpr float kMaxSlope = 1.125f;
     first = begin;
     count = n;
-    const uint32_t middle = begin + n / 2;
-    const math::Ray ray = ray_at(rays, middle);
+    const math::Ray ray = ray_at(rays, begin + n / 2);
     const math::Vec3 along = glm::abs(ray.direction);
     kz = along.x >= along.y ? (along.x >= along.z ? 0 : 2) : (along.y >= along.z ? 1 : 2);
     kx = kz == 2 ? 0 : kz + 1;
@@ -112,91 +238,9 @@ inline HWY_ATTR bool Beam::gather(const Target& target, const RayStream& rays, u
     origin[2] = ray.origin[kz];
     const float distance = reach<float>(target.bounds, ray.origin);
     if (!fits_float(1, distance)) return false;
-    const float far_away = largest_component(ray.origin);
-    margin = 0x1p-20f * distance + 0x1p-22f * far_away;
-
-    const uint32_t group_count = (n + kGroupRays - 1) / kGroupRays;
-    groups = (1u << group_count) - 1;
-    const V8 one = hn::Set(k8, 1.0f);
-    const V8 sign_v = hn::Set(k8, sign);
-    V8 steepest = hn::Zero(k8), least_scale = hn::Set(k8, 0x1p32f), most_scale = hn::Zero(k8);
-    V8 nearest = hn::Set(k8, std::numeric_limits<float>::infinity());
-    M8 same_origin = hn::FirstN(k8, kLanes8);
-    V8 least_p = nearest, least_q = nearest, most_p = hn::Neg(nearest), most_q = hn::Neg(nearest);
-    for (uint32_t g = 0; g < group_count; ++g) {
-        V8 p0 = hn::Set(k8, std::numeric_limits<float>::infinity()), q0 = p0;
-        V8 p1 = hn::Neg(p0), q1 = p1;
-        foreign[g] = 0;
-        for (uint32_t i = g * kGroupRays; i < (g + 1) * kGroupRays; i += kLanes8) {
-            // Places beyond the last ray repeat the middle one, without ever being hit.
-            const M8 there = hn::FirstN(k8, i < n ? n - i : 0);
-            const auto load = [&](const float* array) HWY_ATTR {
-                return hn::IfThenElse(there, hn::LoadU(k8, array + begin + i),
-                                      hn::Set(k8, array[middle]));
-            };
-            const V8 dz = load(rays.direction[kz]);
-            const V8 scale_v = hn::Mul(dz, sign_v);
-            const V8 p_v = hn::Div(load(rays.direction[kx]), scale_v);
-            const V8 q_v = hn::Div(load(rays.direction[ky]), scale_v);
-            for (int k = 0; k < 3; ++k)
-                same_origin =
-                    hn::And(same_origin, hn::Eq(load(rays.origin[k]), hn::Set(k8, ray.origin[k])));
-            const V8 slope = hn::Max(hn::Abs(p_v), hn::Abs(q_v));
-            steepest = hn::Max(steepest, slope);
-            least_scale = hn::Min(least_scale, scale_v);
-            most_scale = hn::Max(most_scale, scale_v);
-            nearest = hn::Min(nearest, load(rays.t_min));
-            p0 = hn::Min(p0, p_v);
-            p1 = hn::Max(p1, p_v);
-            q0 = hn::Min(q0, q_v);
-            q1 = hn::Max(q1, q_v);
-            // The rule of geometry::shear: of equal ones the smaller axis.
-            foreign[g] |= bits_of(k8, hn::Ge(slope, one)) << (i % kGroupRays);
-            hn::Store(p_v, k8, p + i);
-            hn::Store(q_v, k8, q + i);
-            hn::Store(scale_v, k8, scale + i);
-            const V8 end = hn::Mul(load(rays.t_max), scale_v);
-            hn::Store(hn::IfThenElse(there, end, hn::Set(k8, -1.0f)), k8, limit + i);
-        }
-        group_p0[g] = hn::GetLane(hn::MinOfLanes(k8, p0));
-        group_p1[g] = hn::GetLane(hn::MaxOfLanes(k8, p1));
-        group_q0[g] = hn::GetLane(hn::MinOfLanes(k8, q0));
-        group_q1[g] = hn::GetLane(hn::MaxOfLanes(k8, q1));
-        least_p = hn::Min(least_p, p0);
-        most_p = hn::Max(most_p, p1);
-        least_q = hn::Min(least_q, q0);
-        most_q = hn::Max(most_q, q1);
-        update_limit(g);
-    }
-    const float least = hn::GetLane(hn::MinOfLanes(k8, nearest));
-    if (!hn::AllTrue(k8, same_origin)) return false;
-    if (!(hn::GetLane(hn::MaxOfLanes(k8, steepest)) <= kMaxSlope)) return false;
-    if (!(hn::GetLane(hn::MinOfLanes(k8, least_scale)) >= 0x1p-32f)) return false;
-    if (!(hn::GetLane(hn::MaxOfLanes(k8, most_scale)) <= 0x1p32f)) return false;
-    if (!(least >= 0)) return false;
-    near = least * hn::GetLane(hn::MinOfLanes(k8, least_scale));
-    window = {hn::GetLane(hn::MinOfLanes(k8, least_p)), hn::GetLane(hn::MaxOfLanes(k8, most_p)),
-              hn::GetLane(hn::MinOfLanes(k8, least_q)), hn::GetLane(hn::MaxOfLanes(k8, most_q))};
-    center_p = 0.5f * (window.p0 + window.p1);
-    center_q = 0.5f * (window.q0 + window.q1);
-    window = {window.p0 - center_p, window.p1 - center_p, window.q0 - center_q,
-              window.q1 - center_q};
-    const V8 cp = hn::Set(k8, center_p), cq = hn::Set(k8, center_q);
-    for (uint32_t i = 0; i < group_count * kGroupRays; i += kLanes8) {
-        hn::Store(hn::Sub(hn::Load(k8, p + i), cp), k8, from_center_p + i);
-        hn::Store(hn::Sub(hn::Load(k8, q + i), cq), k8, from_center_q + i);
-    }
-    for (uint32_t g = group_count; g < kGroups; ++g) {
-        group_p0[g] = group_p1[g] = center_p;
-        group_q0[g] = group_q1[g] = center_q;
-        group_limit[g] = -1;
-    }
-    for (uint32_t g = 0; g < kGroups; g += kLanes8)
-        for (float* slopes : {group_p0, group_p1})
-            hn::Store(hn::Sub(hn::Load(k8, slopes + g), cp), k8, slopes + g);
-    for (uint32_t g = 0; g < kGroups; g += kLanes8)
-        for (float* slopes : {group_q0, group_q1})
-            hn::Store(hn::Sub(hn::Load(k8, slopes + g), cq), k8, slopes + g);
+    margin = 0x1p-20f * distance + 0x1p-22f * largest_component(ray.origin);
+    if (!(n % kGroupRays == 0 ? gather_rays<true>(rays) : gather_rays<false>(rays))) return false;
+    center();
     return true;
 }
 

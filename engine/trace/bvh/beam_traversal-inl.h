@@ -104,42 +104,80 @@ HWY_INLINE HWY_ATTR uint32_t BeamChildren::find_groups(const Beam& beam, uint32_
     return bits & mask;
 }
 
-// Rays of a group that the facet's edge functions or window do not rule out, of those whose limit
-// it does not exceed.
-HWY_INLINE HWY_ATTR uint32_t find_rays(const Beam& beam, const Facets& facets, uint32_t lane,
-                                       uint32_t group) {
-    uint32_t rays = 0;
-    const V8 nearest = hn::Set(k8, facets.nearest[lane]);
-    const bool by_window = facets.by_window >> lane & 1;
+// Rays of a group, as bits.
+struct Candidates {
+    uint32_t open = 0;    // may hit
+    uint32_t certain = 0; // of these, those that do hit, within their limits
+};
+
+// What a facet's window tells.
+HWY_INLINE HWY_ATTR Candidates find_by_window(const Beam& beam, const Facets& facets, uint32_t lane,
+                                              uint32_t group) {
+    Candidates found;
     for (uint32_t i = 0; i < kGroupRays; i += kLanes8) {
         const uint32_t at = group * kGroupRays + i;
-        const V8 p = hn::Load(k8, beam.from_center_p + at);
-        const V8 q = hn::Load(k8, beam.from_center_q + at);
-        const auto open = hn::Ge(hn::Load(k8, beam.limit + at), nearest);
-        M8 in;
-        if (by_window) {
-            in = hn::And(hn::And(hn::Ge(p, hn::Set(k8, facets.p0[lane])),
-                                 hn::Le(p, hn::Set(k8, facets.p1[lane]))),
-                         hn::And(hn::Ge(q, hn::Set(k8, facets.q0[lane])),
-                                 hn::Le(q, hn::Set(k8, facets.q1[lane]))));
-        } else {
-            const auto edge = [&](int k) HWY_ATTR {
-                return hn::MulAdd(
-                    p, hn::Set(k8, facets.a[k][lane]),
-                    hn::MulAdd(q, hn::Set(k8, facets.b[k][lane]), hn::Set(k8, facets.c[k][lane])));
-            };
-            in = hn::Ge(hn::Min(edge(0), hn::Min(edge(1), edge(2))),
-                        hn::Set(k8, -facets.tolerance[lane]));
-        }
-        rays |= bits_of(k8, hn::And(in, open)) << i;
+        const V8 p = hn::Load(k8, beam.p + at), q = hn::Load(k8, beam.q + at);
+        const auto in_p = hn::And(hn::Ge(p, hn::Set(k8, facets.p0[lane])),
+                                  hn::Le(p, hn::Set(k8, facets.p1[lane])));
+        const auto in_q = hn::And(hn::Ge(q, hn::Set(k8, facets.q0[lane])),
+                                  hn::Le(q, hn::Set(k8, facets.q1[lane])));
+        const auto open = hn::Ge(hn::Load(k8, beam.limit + at), hn::Set(k8, facets.nearest[lane]));
+        found.open |= bits_of(k8, hn::And(open, hn::And(in_p, in_q))) << i;
     }
-    return rays;
+    return found;
 }
 
-// The groups of `mask` with rays that may hit the facet.
-HWY_INLINE HWY_ATTR uint32_t find_groups(const Beam& beam, const Facets& facets, uint32_t lane,
-                                         uint32_t mask) {
-    uint32_t groups = 0;
+// What its edge functions and depth tell.
+template <bool Inside>
+HWY_INLINE HWY_ATTR Candidates find_by_edges(const Beam& beam, const Facets& facets, uint32_t lane,
+                                             uint32_t group) {
+    const V8 nearest = hn::Set(k8, facets.nearest[lane]);
+    const V8 tolerance = hn::Set(k8, facets.tolerance[lane]);
+    const V8 tolerance4 = hn::Mul(tolerance, hn::Set(k8, 4.0f));
+    const V8 beyond_tolerance = hn::Set(k8, facets.beyond_tolerance[lane]);
+    const bool ahead = facets.nearest[lane] >= beam.last_begin;
+    Candidates found;
+    for (uint32_t i = 0; i < kGroupRays; i += kLanes8) {
+        const uint32_t at = group * kGroupRays + i;
+        const V8 p = hn::Load(k8, beam.p + at), q = hn::Load(k8, beam.q + at);
+        const auto linear = [&](const float* a, const float* b, const float* c) HWY_ATTR {
+            return hn::MulAdd(p, hn::Set(k8, a[lane]),
+                              hn::MulAdd(q, hn::Set(k8, b[lane]), hn::Set(k8, c[lane])));
+        };
+        const V8 det = linear(facets.det_a, facets.det_b, facets.det_c);
+        const V8 beyond = linear(facets.beyond_a, facets.beyond_b, facets.beyond_c);
+        const V8 limit = hn::Load(k8, beam.limit + at);
+        // The limit is widened in `open` and narrowed in `certain` for its own rounding.
+        const V8 further = hn::MulAdd(limit, hn::Set(k8, 1.0f + 0x1p-20f), hn::Neg(nearest));
+        const V8 less_far = hn::MulSub(limit, hn::Set(k8, 1.0f - 0x1p-18f), nearest);
+        M8 open = hn::And(
+            hn::Le(hn::Sub(beyond, beyond_tolerance), hn::Mul(further, hn::Add(det, tolerance4))),
+            hn::Ge(limit, nearest));
+        M8 certain =
+            hn::Le(hn::Add(beyond, beyond_tolerance), hn::Mul(less_far, hn::Sub(det, tolerance4)));
+        if (!Inside) {
+            const V8 least = hn::Min(linear(facets.a[0], facets.b[0], facets.c[0]),
+                                     hn::Min(linear(facets.a[1], facets.b[1], facets.c[1]),
+                                             linear(facets.a[2], facets.b[2], facets.c[2])));
+            open = hn::And(open, hn::Ge(least, hn::Neg(tolerance)));
+            certain = hn::And(certain, hn::Gt(least, tolerance));
+        }
+        found.open |= bits_of(k8, open) << i;
+        found.certain |= bits_of(k8, hn::And(certain, open)) << i;
+    }
+    if (!ahead) found.certain = 0;
+    return found;
+}
+
+// Groups, as bits.
+struct GroupsOfFacet {
+    uint32_t open = 0;   // have rays that may hit
+    uint32_t inside = 0; // of these, those with all rays between the edges
+};
+
+HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& facets, uint32_t lane,
+                                              uint32_t mask) {
+    GroupsOfFacet groups;
     const V8 nearest = hn::Set(k8, facets.nearest[lane]);
     if (facets.by_window >> lane & 1) {
         const V8 p0 = hn::Set(k8, facets.p0[lane]), p1 = hn::Set(k8, facets.p1[lane]);
@@ -150,35 +188,44 @@ HWY_INLINE HWY_ATTR uint32_t find_groups(const Beam& beam, const Facets& facets,
             const auto in_q = hn::And(hn::Le(q0, hn::Load(k8, beam.group_q1 + g)),
                                       hn::Ge(q1, hn::Load(k8, beam.group_q0 + g)));
             const auto open = hn::Ge(hn::Load(k8, beam.group_limit + g), nearest);
-            groups |= bits_of(k8, hn::And(open, hn::And(in_p, in_q))) << g;
+            groups.open |= bits_of(k8, hn::And(open, hn::And(in_p, in_q))) << g;
         }
-        return groups & mask;
+        groups.open &= mask;
+        return groups;
     }
-    // The corner of a group's window where an edge function is largest depends on its signs alone.
-    const float* p[3];
-    const float* q[3];
+    // The corners of a group's window where an edge function is largest and smallest depend on its
+    // signs alone.
+    const float *high_p[3], *high_q[3], *low_p[3], *low_q[3];
     for (int k = 0; k < 3; ++k) {
-        p[k] = facets.a[k][lane] < 0 ? beam.group_p0 : beam.group_p1;
-        q[k] = facets.b[k][lane] < 0 ? beam.group_q0 : beam.group_q1;
+        const bool left = facets.a[k][lane] < 0, top = facets.b[k][lane] < 0;
+        high_p[k] = left ? beam.group_p0 : beam.group_p1;
+        low_p[k] = left ? beam.group_p1 : beam.group_p0;
+        high_q[k] = top ? beam.group_q0 : beam.group_q1;
+        low_q[k] = top ? beam.group_q1 : beam.group_q0;
     }
+    const V8 tolerance = hn::Set(k8, facets.tolerance[lane]);
     for (uint32_t g = 0; g < kGroups; g += kLanes8) {
-        const auto edge = [&](int k) HWY_ATTR {
+        const auto edge = [&](const float* const* p, const float* const* q, int k) HWY_ATTR {
             return hn::MulAdd(hn::Load(k8, p[k] + g), hn::Set(k8, facets.a[k][lane]),
                               hn::MulAdd(hn::Load(k8, q[k] + g), hn::Set(k8, facets.b[k][lane]),
                                          hn::Set(k8, facets.c[k][lane])));
         };
-        const auto in = hn::Ge(hn::Min(edge(0), hn::Min(edge(1), edge(2))),
-                               hn::Set(k8, -facets.tolerance[lane]));
-        const auto open = hn::Ge(hn::Load(k8, beam.group_limit + g), nearest);
-        groups |= bits_of(k8, hn::And(in, open)) << g;
+        const V8 most = hn::Min(edge(high_p, high_q, 0),
+                                hn::Min(edge(high_p, high_q, 1), edge(high_p, high_q, 2)));
+        const V8 least =
+            hn::Min(edge(low_p, low_q, 0), hn::Min(edge(low_p, low_q, 1), edge(low_p, low_q, 2)));
+        const auto open = hn::And(hn::Ge(hn::Load(k8, beam.group_limit + g), nearest),
+                                  hn::Ge(most, hn::Neg(tolerance)));
+        groups.open |= bits_of(k8, open) << g;
+        groups.inside |= bits_of(k8, hn::Gt(least, tolerance)) << g;
     }
-    return groups & mask;
+    groups.open &= mask;
+    return groups;
 }
 
 template <class Test>
 HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link leaf,
-                                    uint32_t groups, const Window& window, float limit,
-                                    Test&& test) {
+                                    uint32_t mask, const Window& window, float limit, Test&& test) {
     const uint32_t count = leaf.count();
     const Block* block = target.bvh_blocks + leaf.first_block();
     for (uint32_t first = 0; first < count; first += accel::bvh::kBlockWidth, ++block) {
@@ -187,18 +234,22 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
         if (count - first < accel::bvh::kBlockWidth) lanes &= (1u << (count - first)) - 1;
         for (; lanes; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(__builtin_ctz(lanes));
-            for (uint32_t left = find_groups(beam, facets, lane, groups); left; left &= left - 1) {
+            const bool by_window = facets.by_window >> lane & 1;
+            const GroupsOfFacet groups = find_groups(beam, facets, lane, mask);
+            for (uint32_t left = groups.open; left; left &= left - 1) {
                 const uint32_t group = uint32_t(__builtin_ctz(left));
-                const uint32_t rays = find_rays(beam, facets, lane, group);
-                if (rays) test(facets, *block, lane, group, rays);
+                const Candidates rays = by_window ? find_by_window(beam, facets, lane, group)
+                                        : groups.inside >> group & 1
+                                            ? find_by_edges<true>(beam, facets, lane, group)
+                                            : find_by_edges<false>(beam, facets, lane, group);
+                if (rays.open) test(facets, *block, lane, group, rays);
             }
         }
     }
 }
 
-// Goes through the blocks that the beam may hit, roughly from near to far. `test(facets, block,
-// lane, group, rays)` decides for the rays, bits of a group, that the facet may be hit by. Returns
-// the number of nodes visited.
+// Goes through the facets that the beam may hit, roughly from near to far. `test(facets, block,
+// lane, group, candidates)` decides for those of a group. Returns the number of nodes visited.
 template <class Test>
 HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Test&& test) {
     BeamEntry stack[accel::bvh::kStackSize];

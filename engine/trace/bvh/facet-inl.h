@@ -28,6 +28,10 @@ using accel::bvh::Block;
 //     tolerance = 2^-17 R (D + R)
 // the sign is that of the canonical test; within, the canonical test decides.
 //
+// The z of a canonical hit is the mean of the vertices' z, weighed with its own edge functions:
+//     z = nearest + (U (z0 - nearest) + V (z1 - nearest) + W (z2 - nearest)) / (U + V + W).
+// With at most 1 tolerance of error in each function that bounds z from both sides.
+//
 // A triangle whose orientation is within the tolerance, because it is seen edge-on or is tiny, is
 // judged by the window that it fills instead: by the theorem of geometry/intersect.h, hits are
 // within 8.1 e D of it.
@@ -36,6 +40,11 @@ struct Facets {
     // all three are positive.
     alignas(16) float a[3][4], b[3][4], c[3][4];
     alignas(16) float tolerance[4];
+    // The sum of the edge functions, and the sum of each times how far its vertex is beyond the
+    // nearest: their quotient is how far beyond it a hit is.
+    alignas(16) float det_a[4], det_b[4], det_c[4];
+    alignas(16) float beyond_a[4], beyond_b[4], beyond_c[4];
+    alignas(16) float beyond_tolerance[4];
     alignas(16) float nearest[4];      // no hit has a smaller z
     alignas(16) float vertex[3][3][4]; // relative to the origin: vertex, axis (x, y, z), triangle
     alignas(16) float p0[4], p1[4], q0[4], q1[4]; // windows of those in `by_window`
@@ -134,9 +143,9 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
     const V4 da = hn::Add(ea[0], hn::Add(ea[1], ea[2]));
     const V4 db = hn::Add(eb[0], hn::Add(eb[1], eb[2]));
     const V4 dc = hn::Add(ec[0], hn::Add(ec[1], ec[2]));
-    const V4 e3 = hn::Mul(hn::Set(k4, 4.0f), e);
-    const auto front = hn::Gt(lowest(da, db, dc), e3);
-    const auto back = hn::Lt(highest(da, db, dc), hn::Neg(e3));
+    const V4 e4 = hn::Mul(hn::Set(k4, 4.0f), e);
+    const auto front = hn::Gt(lowest(da, db, dc), hn::Add(e4, e4));
+    const auto back = hn::Lt(highest(da, db, dc), hn::Neg(hn::Add(e4, e4)));
     const V4 turn = hn::IfThenElse(back, hn::Set(k4, -1.0f), hn::Set(k4, 1.0f));
     V4 most = hn::Set(k4, std::numeric_limits<float>::infinity());
     for (int edge = 0; edge < 3; ++edge) {
@@ -147,6 +156,21 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
         hn::Store(tc, k4, c[edge]);
         most = hn::Min(most, highest(ta, tb, tc));
     }
+    V4 range = hn::Zero(k4), sa = range, sb = range, sc = range;
+    for (int i = 0; i < 3; ++i) {
+        const V4 beyond = hn::Mul(hn::Sub(z[i], least_z), turn);
+        range = hn::Max(range, hn::Abs(beyond));
+        sa = hn::MulAdd(ea[i], beyond, sa);
+        sb = hn::MulAdd(eb[i], beyond, sb);
+        sc = hn::MulAdd(ec[i], beyond, sc);
+    }
+    hn::Store(hn::Mul(da, turn), k4, det_a);
+    hn::Store(hn::Mul(db, turn), k4, det_b);
+    hn::Store(hn::Mul(dc, turn), k4, det_c);
+    hn::Store(sa, k4, beyond_a);
+    hn::Store(sb, k4, beyond_b);
+    hn::Store(sc, k4, beyond_c);
+    hn::Store(hn::Mul(range, e4), k4, beyond_tolerance);
     // Overflow leaves NaN: neither front nor back.
     by_window = ~bits_of(k4, hn::Or(front, back)) & 15u;
     const uint32_t near_enough = bits_of(k4, hn::Le(nearest_z, hn::Set(k4, limit)));

@@ -41,6 +41,21 @@ HWY_INLINE HWY_ATTR uint32_t bits_of(D d, hn::Mask<D> mask) {
     return bytes[0];
 }
 
+// Lanes whose bits are set.
+HWY_INLINE HWY_ATTR M8 mask_of(uint32_t bits) {
+    const uint8_t bytes[8] = {uint8_t(bits)};
+    return hn::LoadMaskBits(k8, bytes);
+}
+
+// The smallest, lane by lane, of the halves of a vector of eight.
+template <class V>
+HWY_INLINE HWY_ATTR V4 least_of_halves(V x) {
+    if constexpr (kLanes8 == 4)
+        return x;
+    else
+        return hn::Min(hn::LowerHalf(k4, x), hn::UpperHalf(k4, x));
+}
+
 // Lanes first to first + kLanesD of a block, as doubles.
 template <class V>
 HWY_INLINE HWY_ATTR Vd promote_part(V x, size_t first) {

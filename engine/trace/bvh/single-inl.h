@@ -99,8 +99,9 @@ HWY_ATTR Hit closest(const Target& target, const math::Ray& ray, const Filter& f
     float t_limit = slabs.t_far;   // of what is of interest to nodes, ...
     float t_max = block_ray.t_max; // ... and to triangles
     Hit best = miss(0);
-    const uint32_t steps =
-        visit_leaves(target.bvh_nodes, node_ray, slabs.t_near, t_limit, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
+    const uint32_t steps = visit_leaves(
+        target.bvh_nodes, node_ray, slabs.t_near,
+        t_limit, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
             const Block* block = target.bvh_blocks + link.first_block();
             const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
             for (; block <= last; ++block) {
@@ -135,22 +136,24 @@ HWY_ATTR bool occluded(const Target& target, const math::Ray& ray, const Filter&
     const NodeRay node_ray(slabs);
     const BlockRay block_ray(ray);
     bool occluded = false;
-    visit_leaves(target.bvh_nodes, node_ray, slabs.t_near, slabs.t_far, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
-        const Block* block = target.bvh_blocks + link.first_block();
-        const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
-        for (; block <= last; ++block) {
-            BlockHits hits;
-            if (!intersect(block_ray, *block, block_ray.t_max, hits)) continue;
-            if (!Filtered) return occluded = true;
-            for (uint32_t lanes = hits.lanes; lanes; lanes &= lanes - 1) {
-                const uint32_t i = uint32_t(__builtin_ctz(lanes));
-                if (filter.accepts(target.infos[block->triangle[i]], hits.back_faces >> i & 1,
-                                   hits.u[i], hits.v[i]))
-                    return occluded = true;
+    visit_leaves(
+        target.bvh_nodes, node_ray, slabs.t_near,
+        slabs.t_far, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
+            const Block* block = target.bvh_blocks + link.first_block();
+            const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
+            for (; block <= last; ++block) {
+                BlockHits hits;
+                if (!intersect(block_ray, *block, block_ray.t_max, hits)) continue;
+                if (!Filtered) return occluded = true;
+                for (uint32_t lanes = hits.lanes; lanes; lanes &= lanes - 1) {
+                    const uint32_t i = uint32_t(__builtin_ctz(lanes));
+                    if (filter.accepts(target.infos[block->triangle[i]], hits.back_faces >> i & 1,
+                                       hits.u[i], hits.v[i]))
+                        return occluded = true;
+                }
             }
-        }
-        return false;
-    });
+            return false;
+        });
     return occluded;
 }
 
