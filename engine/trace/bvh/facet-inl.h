@@ -144,8 +144,10 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
     const V4 db = hn::Add(eb[0], hn::Add(eb[1], eb[2]));
     const V4 dc = hn::Add(ec[0], hn::Add(ec[1], ec[2]));
     const V4 e4 = hn::Mul(hn::Set(k4, 4.0f), e);
-    const auto front = hn::Gt(lowest(da, db, dc), hn::Add(e4, e4));
-    const auto back = hn::Lt(highest(da, db, dc), hn::Neg(hn::Add(e4, e4)));
+    // Where products of three lengths fit float with room to spare.
+    const auto fits = hn::And(hn::Gt(e, hn::Set(k4, 0x1p-60f)), hn::Lt(e, hn::Set(k4, 0x1p60f)));
+    const auto front = hn::And(fits, hn::Gt(lowest(da, db, dc), hn::Add(e4, e4)));
+    const auto back = hn::And(fits, hn::Lt(highest(da, db, dc), hn::Neg(hn::Add(e4, e4))));
     const V4 turn = hn::IfThenElse(back, hn::Set(k4, -1.0f), hn::Set(k4, 1.0f));
     V4 most = hn::Set(k4, std::numeric_limits<float>::infinity());
     for (int edge = 0; edge < 3; ++edge) {
@@ -170,8 +172,7 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
     hn::Store(sa, k4, beyond_a);
     hn::Store(sb, k4, beyond_b);
     hn::Store(sc, k4, beyond_c);
-    hn::Store(hn::Mul(range, e4), k4, beyond_tolerance);
-    // Overflow leaves NaN: neither front nor back.
+    hn::Store(hn::MulAdd(range, e4, hn::Set(k4, 0x1p-100f)), k4, beyond_tolerance);
     by_window = ~bits_of(k4, hn::Or(front, back)) & 15u;
     const uint32_t near_enough = bits_of(k4, hn::Le(nearest_z, hn::Set(k4, limit)));
     uint32_t seen = bits_of(k4, hn::Ge(most, hn::Neg(e))) & ~by_window;
