@@ -1,0 +1,78 @@
+#pragma once
+
+#include "math/box.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace peregrine::accel::bvh {
+
+// GCC's and Clang's vectors: x, y, z and a lane that is ignored.
+using Floats [[gnu::vector_size(16)]] = float;
+using Ints [[gnu::vector_size(16)]] = int32_t;
+
+inline Floats min(const Floats& a, const Floats& b) {
+    return a < b ? a : b;
+}
+inline Floats max(const Floats& a, const Floats& b) {
+    return a > b ? a : b;
+}
+
+// As math::Box, in vectors.
+struct Bounds {
+    static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    Floats lower = {kInfinity, kInfinity, kInfinity, kInfinity};
+    Floats upper = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
+
+    void extend(const Bounds& other) {
+        lower = min(lower, other.lower);
+        upper = max(upper, other.upper);
+    }
+    void extend(const Floats& point) {
+        lower = min(lower, point);
+        upper = max(upper, point);
+    }
+    bool empty() const { return lower[0] > upper[0] || lower[1] > upper[1] || lower[2] > upper[2]; }
+    math::Box box() const {
+        return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
+    }
+};
+
+inline float half_area(const Floats& size) {
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+}
+
+// A triangle, or what splits left of it, by its box.
+struct alignas(16) Reference {
+    // So that the number, read as a float, is neither denormal, which is slow to add, nor a NaN.
+    static constexpr uint32_t kBias = 0x40000000u;
+
+    float lower[3];
+    uint32_t biased_triangle;
+    float upper[3];
+    uint32_t unused;
+
+    uint32_t triangle() const { return biased_triangle - kBias; }
+
+    Bounds bounds() const {
+        Bounds bounds;
+        std::memcpy(&bounds.lower, lower, sizeof bounds.lower);
+        std::memcpy(&bounds.upper, upper, sizeof bounds.upper);
+        return bounds;
+    }
+    Floats doubled_center() const {
+        const Bounds box = bounds();
+        return box.lower + box.upper;
+    }
+    static Reference make(uint32_t triangle, const Bounds& bounds) {
+        Reference reference;
+        std::memcpy(reference.lower, &bounds.lower, sizeof bounds.lower);
+        std::memcpy(reference.upper, &bounds.upper, sizeof bounds.upper);
+        reference.biased_triangle = triangle + kBias;
+        reference.unused = kBias;
+        return reference;
+    }
+};
+static_assert(sizeof(Reference) == 32);
+
+} // namespace peregrine::accel::bvh
