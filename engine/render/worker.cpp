@@ -1,6 +1,7 @@
 #include "render/worker.h"
 
 #include "render/views.h"
+#include "render/visibility.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,6 +21,9 @@ void Worker::render(const FrameContext& context, uint32_t tile_index) {
     tile_.place(tile_index, context.frame.width, context.frame.height);
     make_rays(context.pinhole);
     trace(context);
+    if (context.frame.wants_planes())
+        write_planes(context.snapshot, context.frame, tile_, {t_, u_, v_, triangle_});
+    if (!context.frame.pixels) return;
     for (uint32_t first = 0; first < tile_.count; first += shade::kBatch) show(context, first);
     context.output.map_tones(context.frame.exposure, tile_.count, colors_);
     context.output.write(context.frame, tile_, colors_);
@@ -44,7 +48,8 @@ void Worker::trace(const FrameContext& context) {
                                    {direction_[0], direction_[1], direction_[2]},
                                    t_min_,
                                    t_max_,
-                                   tile_.count};
+                                   tile_.count,
+                                   trace::Coherence::common_origin};
     const bool count_steps = context.frame.view == View::steps;
     context.snapshot.kernels->closest_stream(
         context.shader.target, rays, context.filter,
