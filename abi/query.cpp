@@ -1,4 +1,4 @@
-#include "query/query.h"
+#include "query/single.h"
 
 #include "guard.h"
 #include "query_desc.h"
@@ -6,8 +6,6 @@
 #include "read_struct.h"
 #include "require_snapshot.h"
 #include "scene_table.h"
-
-#include <cstring>
 
 namespace peregrine::abi {
 namespace {
@@ -22,21 +20,31 @@ bool is_plain(const rt_query_desc& desc) {
     return desc.ray_count == 1 && (unusual | arrays) == 0;
 }
 
-// False: ask the long way, which also finds the words for what is wrong.
-bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
-    if (!is_plain(desc) || !desc.rays) return false;
-    const bool closest = desc.kind == RT_QUERY_CLOSEST && desc.hits;
-    if (!closest && !(desc.kind == RT_QUERY_ANY && desc.occluded)) return false;
+// Calls trace(snapshot, ray) if there is a snapshot and a ray in its place.
+template <class Trace>
+bool with_ray(const HostScene& host, const rt_query_desc& desc, Trace&& trace) {
+    // In place: a copy in wide words would wait for the narrow stores of a host that has just put
+    // the ray together.
+    if (!desc.rays || reinterpret_cast<uintptr_t>(desc.rays) % alignof(math::Ray) != 0)
+        return false;
     const scene::SnapshotStore::Pin pin(host.scene.snapshots);
     if (!pin.get()) return false;
-    math::Ray ray;
-    std::memcpy(&ray, desc.rays, sizeof ray);
-    if (closest) {
-        query::closest_hit(*pin.get(), ray, reinterpret_cast<std::byte*>(desc.hits));
-    } else {
-        *desc.occluded = query::occluded(*pin.get(), ray);
-    }
+    trace(*pin.get(), *reinterpret_cast<const math::Ray*>(desc.rays));
     return true;
+}
+
+// False: ask the long way, which also finds the words for what is wrong.
+bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
+    if (!is_plain(desc)) return false;
+    if (desc.kind == RT_QUERY_CLOSEST && desc.hits)
+        return with_ray(host, desc, [&](const scene::Snapshot& snapshot, const math::Ray& ray) {
+            query::closest_hit(snapshot, ray, reinterpret_cast<std::byte*>(desc.hits));
+        });
+    if (desc.kind == RT_QUERY_ANY && desc.occluded)
+        return with_ray(host, desc, [&](const scene::Snapshot& snapshot, const math::Ray& ray) {
+            *desc.occluded = query::occluded(snapshot, ray);
+        });
+    return false;
 }
 
 // Apart from the short way, so that its registers and stack cost that one nothing.

@@ -22,11 +22,6 @@ trace::Filter make_filter(const scene::Snapshot& snapshot, const Selection& sele
     return filter;
 }
 
-void check_ray(uint64_t index, const math::Ray& ray) {
-    if (!is_valid(ray)) [[unlikely]]
-        reject(index, ray);
-}
-
 void check_each(const Rays& rays) {
     for (uint64_t i = 0; i < rays.count; ++i) check_ray(i, rays.load(i));
 }
@@ -50,19 +45,6 @@ void store_elements(const trace::Hit& hit, const HitNames& names, const HitArray
 }
 
 } // namespace
-
-void closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray, std::byte* place) {
-    static constexpr trace::Filter kEverything;
-    check_ray(0, ray);
-    store_record(snapshot.kernels->closest(snapshot.target, ray, kEverything), HitNames(snapshot),
-                 place);
-}
-
-bool occluded(const scene::Snapshot& snapshot, const math::Ray& ray) {
-    static constexpr trace::Filter kEverything;
-    check_ray(0, ray);
-    return snapshot.kernels->occluded(snapshot.target, ray, kEverything);
-}
 
 void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Selection& selection,
                   const Hits& hits) {

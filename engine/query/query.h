@@ -18,11 +18,6 @@ struct Selection {
     trace::Coherence coherence = trace::Coherence::automatic;
 };
 
-// One ray that may hit anything: the short way. Both throw base::Error invalid_argument, as below;
-// `place` takes a Hit.
-void closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray, std::byte* place);
-bool occluded(const scene::Snapshot& snapshot, const math::Ray& ray);
-
 // Throw base::Error invalid_argument that names the first ray which is not one: a component NaN, an
 // origin infinite or beyond 1e30, a direction infinite or zero. Nothing is written then.
 void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Selection& selection,

@@ -6,6 +6,10 @@
 
 namespace peregrine::query {
 
+void check_closely(uint64_t index, const math::Ray& ray) {
+    if (!is_valid(ray)) reject(index, ray);
+}
+
 void reject(uint64_t index, const math::Ray& ray) {
     const auto place = static_cast<unsigned long long>(index);
     const char* names[] = {"x", "y", "z"};

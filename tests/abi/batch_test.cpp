@@ -1,4 +1,4 @@
-// Batches of every size and form answer as single rays do.
+// Batches of every size and form, with hints true and false, answer as single rays do.
 #include "ray_batch.h"
 
 #include <limits>
@@ -51,7 +51,6 @@ TEST_F(Batch, OfEverySizeAndFormAnswersAsSingleRays) {
         desc.hits = hits.data();
         desc.occluded = occluded.data();
         for (rt_coherence c = RT_COHERENCE_AUTO; c <= RT_COHERENCE_INCOHERENT; ++c) {
-            if (c == RT_COHERENCE_COMMON_ORIGIN) continue; // they have none
             desc.coherence = c;
             desc.kind = RT_QUERY_CLOSEST;
             ASSERT_OK(rt_trace_query(scene(), &desc));

@@ -609,11 +609,24 @@ typedef struct rt_query_desc {
     const rt_hit_arrays* hit_arrays;
 } rt_query_desc;
 
+/* Field by field: a query may be a few nanoseconds, and compilers turn memset and a copy into a
+ * loop and a stall. */
 static inline rt_query_desc rt_default_query_desc(void) {
-    rt_query_desc desc;
-    memset(&desc, 0, sizeof desc);
-    desc.struct_size = (uint32_t)sizeof desc;
-    desc.layer_mask = 0xffffffffu;
+    const rt_query_desc desc = {(uint32_t)sizeof(rt_query_desc),
+                                RT_QUERY_CLOSEST,
+                                0, /* rays */
+                                0,
+                                0,
+                                0,
+                                0, /* hits */
+                                0,
+                                RT_FACES_BOTH,
+                                0xffffffffu, /* layer_mask */
+                                {0, 0},
+                                0,
+                                RT_COHERENCE_AUTO,
+                                0, /* ray_arrays */
+                                0};
     return desc;
 }
 
