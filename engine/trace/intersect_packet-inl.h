@@ -18,7 +18,8 @@ namespace peregrine::trace::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Df = hn::ScalableTag<float>;
+// Eight rays, or four. (Sixteen at a time double the work of packets whose rays part.)
+using Df = hn::CappedTag<float, 8>;
 using Dh = hn::Half<Df>;
 using Dd = hn::Repartition<double, Df>;
 using Du = hn::RebindToUnsigned<Df>;
@@ -90,34 +91,30 @@ HWY_INLINE HWY_ATTR Precise intersect_half(Vd ax, Vd ay, Vd az, Vd bx, Vd by, Vd
             hn::DemoteTo(kH, hn::Mul(hn::Mul(w, dz), r)), hn::DemoteTo(kH, facing)};
 }
 
-// The lanes of `active` that the triangle is hit by within [t_min, t_max]; false if there are none.
-HWY_INLINE HWY_ATTR bool intersect(const ShearedPacket& ray, const geometry::Triangle& triangle,
-                                   Mf active, Vf t_min, Vf t_max, PacketHit& hit) {
-    const auto shear = [&](const geometry::Vec3& p, Vf& x, Vf& y, Vf& z) HWY_ATTR {
-        z = hn::Sub(hn::Set(kF, p[ray.kz]), ray.oz);
-        x = hn::Sub(hn::Sub(hn::Set(kF, p[ray.kx]), ray.ox), hn::Mul(ray.sx, z));
-        y = hn::Sub(hn::Sub(hn::Set(kF, p[ray.ky]), ray.oy), hn::Mul(ray.sy, z));
-    };
+// A triangle's corners relative to each ray.
+struct ShearedTriangle {
     Vf ax, ay, az, bx, by, bz, cx, cy, cz;
-    shear(triangle.v0, ax, ay, az);
-    shear(triangle.v1, bx, by, bz);
-    shear(triangle.v2, cx, cy, cz);
 
-    const Vf u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
-    const Vf v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
-    const Vf w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-    const Vf zero = hn::Zero(kF);
-    const Mf outside =
-        hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero), hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
-    const Mf maybe = hn::AndNot(outside, active);
-    if (hn::AllFalse(kF, maybe)) return false;
+    // Lanes that the exact edge functions cannot reject for their signs.
+    HWY_INLINE HWY_ATTR Mf maybe() const {
+        const Vf u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
+        const Vf v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
+        const Vf w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+        const Vf zero = hn::Zero(kF);
+        return hn::Not(hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero),
+                               hn::Gt(hn::Max(u, hn::Max(v, w)), zero)));
+    }
+};
 
+// The lanes of `maybe` that are hit within [t_min, t_max]; false if there are none.
+HWY_INLINE HWY_ATTR bool decide(const ShearedTriangle& s, Vf dz, Mf maybe, Vf t_min, Vf t_max,
+                                PacketHit& hit) {
     const auto low = [](Vf x) HWY_ATTR { return hn::PromoteTo(kD, hn::LowerHalf(kH, x)); };
     const auto high = [](Vf x) HWY_ATTR { return hn::PromoteTo(kD, hn::UpperHalf(kH, x)); };
-    const Precise a = intersect_half(low(ax), low(ay), low(az), low(bx), low(by), low(bz), low(cx),
-                                     low(cy), low(cz), low(ray.dz));
-    const Precise b = intersect_half(high(ax), high(ay), high(az), high(bx), high(by), high(bz),
-                                     high(cx), high(cy), high(cz), high(ray.dz));
+    const Precise a = intersect_half(low(s.ax), low(s.ay), low(s.az), low(s.bx), low(s.by),
+                                     low(s.bz), low(s.cx), low(s.cy), low(s.cz), low(dz));
+    const Precise b = intersect_half(high(s.ax), high(s.ay), high(s.az), high(s.bx), high(s.by),
+                                     high(s.bz), high(s.cx), high(s.cy), high(s.cz), high(dz));
     hit.t = hn::Combine(kF, b.t, a.t);
     const Vf largest = hn::Set(kF, std::numeric_limits<float>::max());
     hit.lanes = hn::And(maybe, hn::And(hn::Ge(hit.t, t_min),
@@ -127,8 +124,24 @@ HWY_INLINE HWY_ATTR bool intersect(const ShearedPacket& ray, const geometry::Tri
     hit.v = hn::Combine(kF, b.v, a.v);
     const Vf facing = hn::Combine(kF, b.facing, a.facing);
     hit.back = hn::BitCast(
-        kF, hn::IfThenElseZero(hn::RebindMask(kU, hn::Lt(facing, zero)), hn::Set(kU, 1)));
+        kF, hn::IfThenElseZero(hn::RebindMask(kU, hn::Lt(facing, hn::Zero(kF))), hn::Set(kU, 1)));
     return true;
+}
+
+// The lanes of `active` that the triangle is hit by within [t_min, t_max]; false if there are none.
+HWY_INLINE HWY_ATTR bool intersect(const ShearedPacket& ray, const geometry::Triangle& triangle,
+                                   Mf active, Vf t_min, Vf t_max, PacketHit& hit) {
+    const auto shear = [&](const geometry::Vec3& p, Vf& x, Vf& y, Vf& z) HWY_ATTR {
+        z = hn::Sub(hn::Set(kF, p[ray.kz]), ray.oz);
+        x = hn::Sub(hn::Sub(hn::Set(kF, p[ray.kx]), ray.ox), hn::Mul(ray.sx, z));
+        y = hn::Sub(hn::Sub(hn::Set(kF, p[ray.ky]), ray.oy), hn::Mul(ray.sy, z));
+    };
+    ShearedTriangle s;
+    shear(triangle.v0, s.ax, s.ay, s.az);
+    shear(triangle.v1, s.bx, s.by, s.bz);
+    shear(triangle.v2, s.cx, s.cy, s.cz);
+    const Mf maybe = hn::And(s.maybe(), active);
+    return !hn::AllFalse(kF, maybe) && decide(s, ray.dz, maybe, t_min, t_max, hit);
 }
 
 // The lanes of `lanes` whose hit is on a present part of a masked surface.

@@ -13,6 +13,9 @@ struct Options {
     uint32_t threads = 1;
     uint32_t passes = 5;
     uint32_t size = 1024;
+    std::vector<std::string> rays; // letters of trace_rays.h
+    std::string structure = "auto";
+    std::string isa = "best";
     float empty_bonus = 0;
     std::string library;
     std::string json;
@@ -22,5 +25,6 @@ struct Options {
 std::string run_build(const Options& options);
 std::string run_frame(const Options& options);
 std::string run_door(const Options& options);
+std::string run_trace(const Options& options);
 
 } // namespace peregrine::bench

@@ -7,16 +7,28 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 namespace {
 
 using peregrine::bench::Options;
 
+// As Linux tells it; rates mean little without it.
+std::string processor() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (const size_t colon = line.find(": ");
+            colon != std::string::npos && line.rfind("model name", 0) == 0)
+            return line.substr(colon + 2);
+    return "unknown";
+}
+
 void write_json(const Options& options, const std::string& rows) {
     std::ofstream file(options.json);
-    file << "{\"machine\": {\"threads\": " << std::thread::hardware_concurrency()
-         << "}, \"rows\": " << rows << "}\n";
+    file << "{\"machine\": {\"processor\": " << nlohmann::json(processor())
+         << ", \"threads\": " << std::thread::hardware_concurrency() << "}, \"rows\": " << rows
+         << "}\n";
     if (!file) throw std::runtime_error("cannot write " + options.json);
 }
 
@@ -24,11 +36,37 @@ void add_options(CLI::App& command, Options& options) {
     command.add_option("--scene", options.scenes,
                        "Scene files (.glb, .gltf); default: our hall and those of "
                        "$PEREGRINE_SCENES or ../shared/scenes");
-    command.add_option("--threads", options.threads, "Threads")->capture_default_str();
+    command.add_option("--threads", options.threads, "Threads")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 256));
     command.add_option("--passes", options.passes, "Passes; medians are printed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
     command.add_option("--json", options.json, "Write the rows to this file as well");
+}
+
+void add_trace_options(CLI::App& trace, Options& options) {
+    options.rays = {"P", "S", "A", "D", "R", "L", "N"};
+    trace
+        .add_option("--rays", options.rays,
+                    "Kinds: P primary, S shadow, A ambient occlusion, D diffuse, R mirror, L line "
+                    "of sight, N near; default: all")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"P", "S", "A", "D", "R", "L", "N"}));
+    trace.add_option("--structure", options.structure, "auto, kdtree, bvh or bih")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "kdtree", "bvh", "bih"}));
+    trace.add_option("--isa", options.isa, "best, scalar, sse4, avx2 or avx512")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"best", "scalar", "sse4", "avx2", "avx512"}));
+    trace
+        .add_option("--peer", options.peers,
+                    "Peers: embree, embree-avx2 (kept from using AVX-512), embree-robust")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"embree", "embree-avx2", "embree-robust"}));
+    trace.add_option("--size", options.size, "Width and height of the cameras' images")
+        ->capture_default_str()
+        ->check(CLI::Range(16, 4096));
 }
 
 int run(int argc, char** argv) {
@@ -38,14 +76,16 @@ int run(int argc, char** argv) {
     CLI::App* build = app.add_subcommand("build", "kd-tree build time and memory");
     CLI::App* frame = app.add_subcommand("frame", "frames through the header");
     CLI::App* door = app.add_subcommand("door", "what a query costs beyond the bare traversal");
-    for (CLI::App* command : {build, frame, door}) add_options(*command, options);
+    CLI::App* trace = app.add_subcommand("trace", "rays of all kinds through the header");
+    for (CLI::App* command : {build, frame, door, trace}) add_options(*command, options);
+    add_trace_options(*trace, options);
     build->add_option("--peer", options.peers, "Peers: embree")->delimiter(',');
     build
         ->add_option("--empty-bonus", options.empty_bonus,
                      "SAH cost of a split that cuts off empty space: times 1 - this")
         ->check(CLI::Range(0.0, 1.0));
     frame->add_option("--size", options.size, "Width and height")->capture_default_str();
-    for (CLI::App* command : {frame, door})
+    for (CLI::App* command : {frame, door, trace})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
@@ -53,6 +93,7 @@ int run(int argc, char** argv) {
     if (options.scenes.empty()) options.scenes = peregrine::test::scene_files();
     const std::string rows = *build   ? peregrine::bench::run_build(options)
                              : *frame ? peregrine::bench::run_frame(options)
+                             : *trace ? peregrine::bench::run_trace(options)
                                       : peregrine::bench::run_door(options);
     if (!options.json.empty()) write_json(options, rows);
     return 0;

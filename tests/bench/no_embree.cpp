@@ -1,15 +1,28 @@
 #include "embree_peer.h"
+#include "embree_tracer.h"
 
 #include <stdexcept>
 
 namespace peregrine::bench {
+namespace {
+
+[[noreturn]] void fail() {
+    throw std::runtime_error("this build has no Embree: install libembree-dev and configure again");
+}
+
+} // namespace
 
 bool has_embree() {
     return false;
 }
 
 PeerBuild build_with_embree(std::span<const geometry::Triangle>, uint32_t) {
-    throw std::runtime_error("this build has no Embree: install libembree-dev and configure again");
+    fail();
+}
+
+std::unique_ptr<Tracer> make_embree_tracer(const std::string&, std::span<const geometry::Triangle>,
+                                           uint32_t) {
+    fail();
 }
 
 } // namespace peregrine::bench

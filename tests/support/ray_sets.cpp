@@ -18,6 +18,8 @@ public:
         for (const auto& triangle : triangles) bounds_.extend(geometry::bounds(triangle));
     }
 
+    void start_set() { fan_left_ = 0; }
+
     Ray camera() {
         const Eye eye = eyes_.empty() ? Eye{inside(), direction()} : eyes_[pick(eyes_.size())];
         return {eye.position, 0, glm::normalize(eye.forward) + 0.7f * direction(), kInfinity};
@@ -93,7 +95,55 @@ public:
         return ray;
     }
 
+    // Rays with a common origin, up to 300 in turn: through a narrow or wide window of directions
+    // that may lie on a diagonal or on an axis, some of them straight at vertices.
+    Ray fan() {
+        if (fan_left_ == 0) {
+            fan_left_ = 1 + pick(300);
+            const size_t kind = pick(4);
+            fan_origin_ = kind == 0                     ? vertex()
+                          : kind == 1 && !eyes_.empty() ? eyes_[0].position
+                                                        : inside();
+            fan_width_ = std::exp2(-float(pick(16)));
+            fan_direction_ =
+                coin() ? direction() : Vec3(coin() ? 1 : -1, int(pick(3)) - 1, int(pick(3)) - 1);
+            fan_end_ =
+                pick(3) == 0 ? uniform() * glm::length(bounds_.upper - bounds_.lower) : kInfinity;
+            fan_target_ = vertex();
+            fan_scale_ = coin() ? 1.0f : std::exp2(float(int(pick(20)) - 10));
+        }
+        --fan_left_;
+        Ray ray{fan_origin_, pick(9) == 0 ? 0.01f * uniform() : 0.0f,
+                fan_scale_ * (fan_direction_ + fan_width_ * direction()), fan_end_};
+        if (pick(8) == 0 && fan_target_ != fan_origin_) {
+            ray.direction = fan_target_ - fan_origin_;
+            if (coin()) ray.t_max = 1;
+        }
+        if (ray.direction == Vec3(0)) ray.direction.z = 1;
+        return ray;
+    }
+
+    // A picture's rays, 16 x 16 pixels at a time.
+    Ray picture() {
+        if (fan_left_ == 0) {
+            fan_left_ = 256;
+            fan_origin_ = eyes_.empty() ? inside() : eyes_[pick(eyes_.size())].position;
+            fan_direction_ = direction();
+            fan_target_ = glm::cross(fan_direction_, direction());
+            fan_width_ = std::exp2(-4.0f - float(pick(8)));
+        }
+        const size_t i = --fan_left_;
+        const Vec3 down = glm::cross(fan_direction_, fan_target_);
+        const float x = float(every_other_bit(i)), y = float(every_other_bit(i >> 1));
+        return {fan_origin_, 0, fan_direction_ + fan_width_ * (x * fan_target_ + y * down),
+                kInfinity};
+    }
+
 private:
+    static size_t every_other_bit(size_t i) {
+        return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8);
+    }
+
     static Ray aimed(const Vec3& origin, const Vec3& target) {
         Ray ray{origin, 0, target - origin, kInfinity};
         if (ray.direction == Vec3(0)) ray.direction.y = 1;
@@ -131,6 +181,9 @@ private:
     std::span<const Vec3> lights_;
     std::mt19937 random_;
     math::Box bounds_;
+    size_t fan_left_ = 0;
+    Vec3 fan_origin_{0}, fan_direction_{0}, fan_target_{0};
+    float fan_width_ = 1, fan_end_ = 0, fan_scale_ = 1;
 };
 
 } // namespace
@@ -151,11 +204,14 @@ std::vector<RaySet> make_ray_sets(std::span<const geometry::Triangle> triangles,
         {"along edges", &Generator::along_edge},
         {"through edges", &Generator::through_edge},
         {"extreme", &Generator::extreme},
+        {"fan", &Generator::fan},
+        {"picture", &Generator::picture},
     };
     Generator generator(triangles, eyes, lights, seed);
     std::vector<RaySet> sets;
     for (const Kind& kind : kinds) {
         sets.push_back({kind.name, {}});
+        generator.start_set();
         for (size_t i = 0; i < rays_per_set; ++i)
             sets.back().rays.push_back((generator.*kind.make)());
     }

@@ -10,8 +10,8 @@
 #include "trace/bvh/simd_kernels.h"
 
 #if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
+#include "trace/bvh/beam_kernels-inl.h"
 #include "trace/bvh/single-inl.h"
-#include "trace/each.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
@@ -28,9 +28,64 @@ HWY_ATTR bool is_occluded(const Target& target, const math::Ray& ray, const Filt
                             : occluded<true>(target, ray, filter);
 }
 
+// Rays with a common origin go as beams: as many at a time as make one, halves where they do not.
+template <class Beams, class Single>
+HWY_ATTR void split_into_beams(const Target& target, const RayStream& rays, uint32_t first,
+                               uint32_t count, Beams&& trace, Single&& trace_one) {
+    Beam beam;
+    if (count > kGroupRays / 2 && beam.gather(target, rays, first, count)) return trace(beam);
+    if (count <= kGroupRays) {
+        for (uint32_t i = first; i < first + count; ++i) trace_one(i);
+        return;
+    }
+    const uint32_t half = (count / 2 + kGroupRays - 1) / kGroupRays * kGroupRays;
+    split_into_beams(target, rays, first, half, trace, trace_one);
+    split_into_beams(target, rays, first + half, count - half, trace, trace_one);
+}
+
+template <bool Filtered>
+HWY_ATTR void closest_stream(const Target& target, const RayStream& rays, const Filter& filter,
+                             const HitStream& hits) {
+    for (uint32_t first = 0; first < rays.count; first += kBeamRays)
+        split_into_beams(
+            target, rays, first, std::min(kBeamRays, rays.count - first),
+            [&](Beam& beam) HWY_ATTR { closest_beam<Filtered>(target, beam, rays, filter, hits); },
+            [&](uint32_t i)
+                HWY_ATTR { hits.store(i, closest<Filtered>(target, ray_at(rays, i), filter)); });
+}
+
+template <bool Filtered>
+HWY_ATTR void occluded_stream(const Target& target, const RayStream& rays, const Filter& filter,
+                              uint8_t* result) {
+    for (uint32_t first = 0; first < rays.count; first += kBeamRays)
+        split_into_beams(
+            target, rays, first, std::min(kBeamRays, rays.count - first),
+            [&](Beam& beam)
+                HWY_ATTR { occluded_beam<Filtered>(target, beam, rays, filter, result); },
+            [&](uint32_t i)
+                HWY_ATTR { result[i] = occluded<Filtered>(target, ray_at(rays, i), filter); });
+}
+
+HWY_ATTR void closest_hits(const Target& target, const RayStream& rays, const Filter& filter,
+                           const HitStream& hits) {
+    if (target.bounds.empty())
+        for (uint32_t i = 0; i < rays.count; ++i) hits.store(i, miss(0));
+    else
+        filter.trivial() ? closest_stream<false>(target, rays, filter, hits)
+                         : closest_stream<true>(target, rays, filter, hits);
+}
+
+HWY_ATTR void are_occluded(const Target& target, const RayStream& rays, const Filter& filter,
+                           uint8_t* result) {
+    if (target.bounds.empty())
+        std::fill_n(result, rays.count, uint8_t(0));
+    else
+        filter.trivial() ? occluded_stream<false>(target, rays, filter, result)
+                         : occluded_stream<true>(target, rays, filter, result);
+}
+
 template <base::Isa Set>
-inline constexpr Kernels kKernels = {closest_hit, is_occluded, closest_each<closest_hit>,
-                                     occluded_each<is_occluded>, Set};
+inline constexpr Kernels kKernels = {closest_hit, is_occluded, closest_hits, are_occluded, Set};
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

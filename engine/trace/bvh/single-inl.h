@@ -100,7 +100,7 @@ HWY_ATTR Hit closest(const Target& target, const math::Ray& ray, const Filter& f
     float t_max = block_ray.t_max; // ... and to triangles
     Hit best = miss(0);
     const uint32_t steps =
-        visit_leaves(target.bvh_nodes, node_ray, slabs.t_near, t_limit, [&](Link link) HWY_ATTR {
+        visit_leaves(target.bvh_nodes, node_ray, slabs.t_near, t_limit, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
             const Block* block = target.bvh_blocks + link.first_block();
             const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
             for (; block <= last; ++block) {
@@ -135,7 +135,7 @@ HWY_ATTR bool occluded(const Target& target, const math::Ray& ray, const Filter&
     const NodeRay node_ray(slabs);
     const BlockRay block_ray(ray);
     bool occluded = false;
-    visit_leaves(target.bvh_nodes, node_ray, slabs.t_near, slabs.t_far, [&](Link link) HWY_ATTR {
+    visit_leaves(target.bvh_nodes, node_ray, slabs.t_near, slabs.t_far, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
         const Block* block = target.bvh_blocks + link.first_block();
         const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
         for (; block <= last; ++block) {
