@@ -8,57 +8,78 @@
 namespace peregrine::render {
 namespace {
 
+// Values in the order of the tile's rays to their places in the plane.
 template <class Element>
-std::byte* place_of(const Plane& plane, const Tile& tile, uint32_t i) {
-    return static_cast<std::byte*>(plane.data) + (tile.y0 + tile.y[i]) * plane.row_stride
-           + (tile.x0 + tile.x[i]) * sizeof(Element);
+void write(const Plane& plane, const Tile& tile, const Element* values) {
+    std::byte* const corner = static_cast<std::byte*>(plane.data) + tile.y0 * plane.row_stride
+                              + tile.x0 * sizeof(Element);
+    const auto copy = [&](uint32_t i, size_t size) {
+        std::memcpy(corner + tile.y[i] * plane.row_stride + tile.x[i] * sizeof(Element), values + i,
+                    size);
+    };
+    if (tile.count == kTileRays) // then rays 2i and 2i + 1 are neighbours in a row
+        for (uint32_t i = 0; i < kTileRays; i += 2) copy(i, 2 * sizeof(Element));
+    else
+        for (uint32_t i = 0; i < tile.count; ++i) copy(i, sizeof(Element));
 }
 
-template <class Element, class Get>
-void write_each(const Plane& plane, const Tile& tile, Get&& get) {
-    for (uint32_t i = 0; i < tile.count; ++i) {
-        const Element element = get(i);
-        std::memcpy(place_of<Element>(plane, tile, i), &element, sizeof element);
+struct TileIds {
+    uint32_t triangle[kTileRays];
+    base::Handle mesh[kTileRays];
+
+    TileIds(const scene::Snapshot& snapshot, const uint32_t* triangles, uint32_t count) {
+        const query::HitNames names(snapshot);
+        for (uint32_t i = 0; i < count; ++i) {
+            const query::HitIds ids = names.of(triangles[i]);
+            triangle[i] = ids.triangle;
+            mesh[i] = ids.mesh;
+        }
     }
-}
-
-// Rays 2i and 2i + 1 of a whole tile are neighbours in a row.
-void write_pairs(const Plane& plane, const Tile& tile, const float* values) {
-    for (uint32_t i = 0; i < kTileRays; i += 2)
-        std::memcpy(place_of<float>(plane, tile, i), values + i, 2 * sizeof *values);
-}
+};
 
 struct Normal {
     float c[3];
 };
 
-Normal normal_at(const scene::Snapshot& snapshot, const query::HitNames& names,
-                 const TileHits& hits, uint32_t i) {
-    if (hits.triangle[i] == geometry::kNoTriangle) return {};
-    const query::HitIds ids = names.of(hits.triangle[i]);
-    const math::Vec3 n = query::shading_normal(*snapshot.meshes[ids.mesh.index].data, ids.triangle,
-                                               hits.u[i], hits.v[i]);
-    return {{n.x, n.y, n.z}};
-}
+struct TileNormals {
+    Normal normal[kTileRays];
+
+    // Neighbours often see the same triangle; a flat one has the same normal for all of them.
+    TileNormals(const scene::Snapshot& snapshot, const TileHits& hits, uint32_t count) {
+        uint32_t flat = geometry::kNoTriangle;
+        Normal flat_normal = {};
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t triangle = hits.triangle[i];
+            if (triangle == geometry::kNoTriangle) {
+                normal[i] = {};
+            } else if (triangle == flat) {
+                normal[i] = flat_normal;
+            } else {
+                const geometry::TriangleInfo info = snapshot.target.infos[triangle];
+                const scene::MeshData& mesh = *snapshot.meshes[info.mesh].data;
+                const math::Vec3 n =
+                    query::shading_normal(mesh, info.primitive, hits.u[i], hits.v[i]);
+                normal[i] = {{n.x, n.y, n.z}};
+                if (!mesh.normals.empty()) continue;
+                flat = triangle;
+                flat_normal = normal[i];
+            }
+        }
+    }
+};
 
 } // namespace
 
 void write_planes(const scene::Snapshot& snapshot, const Frame& frame, const Tile& tile,
                   const TileHits& hits) {
-    const query::HitNames names(snapshot);
-    if (frame.depth.data && tile.count == kTileRays)
-        write_pairs(frame.depth, tile, hits.t);
-    else if (frame.depth.data)
-        write_each<float>(frame.depth, tile, [&](uint32_t i) { return hits.t[i]; });
-    if (frame.triangle_ids.data)
-        write_each<uint32_t>(frame.triangle_ids, tile,
-                             [&](uint32_t i) { return names.of(hits.triangle[i]).triangle; });
-    if (frame.mesh_ids.data)
-        write_each<base::Handle>(frame.mesh_ids, tile,
-                                 [&](uint32_t i) { return names.of(hits.triangle[i]).mesh; });
+    if (frame.depth.data) write(frame.depth, tile, hits.t);
+    if (frame.triangle_ids.data || frame.mesh_ids.data) {
+        const TileIds ids(snapshot, hits.triangle, tile.count);
+        if (frame.triangle_ids.data) write(frame.triangle_ids, tile, ids.triangle);
+        if (frame.mesh_ids.data) write(frame.mesh_ids, tile, ids.mesh);
+    }
     if (frame.normals.data)
-        write_each<Normal>(frame.normals, tile,
-                           [&](uint32_t i) { return normal_at(snapshot, names, hits, i); });
+        write(frame.normals, tile, TileNormals(snapshot, hits, tile.count).normal);
 }
 
 } // namespace peregrine::render
