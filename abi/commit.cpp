@@ -16,6 +16,23 @@ static_assert(RT_FEATURE_SHADOWS == int(scene::kShadows));
 static_assert(RT_FEATURE_DYNAMIC_MESHES == int(scene::kDynamicMeshes));
 static_assert(RT_FEATURE_SINGLE_SIDED == int(scene::kSingleSidedMaterials));
 
+static_assert(RT_BUILD_BALANCED == int(accel::bvh::Quality::balanced));
+static_assert(RT_BUILD_FAST == int(accel::bvh::Quality::fast));
+static_assert(RT_BUILD_BEST == int(accel::bvh::Quality::best));
+
+trace::Structure to_structure(rt_structure structure) {
+    require_enum(structure, RT_STRUCTURE_BIH, "rt_commit_desc.structure");
+    if (structure == RT_STRUCTURE_BIH)
+        base::fail(
+            base::Code::unsupported,
+            "rt_commit_desc.structure is RT_STRUCTURE_BIH, which this version does not have");
+    return structure == RT_STRUCTURE_KDTREE ? trace::Structure::kdtree : trace::Structure::bvh;
+}
+
+rt_structure to_host(trace::Structure structure) {
+    return structure == trace::Structure::kdtree ? RT_STRUCTURE_KDTREE : RT_STRUCTURE_BVH;
+}
+
 scene::CommitOptions to_options(const rt_commit_desc* desc) {
     scene::CommitOptions options;
     if (!desc) return options;
@@ -24,6 +41,9 @@ scene::CommitOptions to_options(const rt_commit_desc* desc) {
         base::fail(base::Code::invalid_argument,
                    "rt_commit_desc.empty_bonus is %g; it must be 0 to 1",
                    double(fields.empty_bonus));
+    require_enum(fields.quality, RT_BUILD_BEST, "rt_commit_desc.quality");
+    options.build.structure = to_structure(fields.structure);
+    options.build.quality = accel::bvh::Quality(fields.quality);
     options.build.empty_bonus = fields.empty_bonus;
     options.progress = {fields.progress, fields.progress_user};
     return options;
@@ -69,6 +89,8 @@ rt_commit_report to_report(const scene::CommitReport& in) {
     out.commit_ms = in.commit_ms;
     out.light_count = in.light_count;
     out.rebuilt = in.rebuilt ? 1 : 0;
+    out.structure = to_host(in.geometry->structure);
+    out.quality = rt_build_quality(in.build.quality);
     return out;
 }
 

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "guard.h"
 #include "read_struct.h"
+#include "require_snapshot.h"
 #include "scene_table.h"
 
 #include <cmath>
@@ -64,6 +65,29 @@ void check_format(const rt_frame_desc& in) {
                    "above 1");
 }
 
+template <class Element>
+render::Plane to_plane(Element* data, uint64_t row_stride, const rt_frame_desc& in,
+                       const char* field, const char* stride_field, uint32_t elements = 1) {
+    if (!data) return {};
+    return {data, require_rows(data, row_stride, in.width * sizeof(Element) * elements, in.height,
+                               field, stride_field)};
+}
+
+void read_planes(const rt_frame_desc& in, render::Frame& frame) {
+    frame.depth = to_plane(in.depth, in.depth_row_stride, in, "rt_frame_desc.depth",
+                           "rt_frame_desc.depth_row_stride");
+    frame.triangle_ids =
+        to_plane(in.triangle_ids, in.triangle_row_stride, in, "rt_frame_desc.triangle_ids",
+                 "rt_frame_desc.triangle_row_stride");
+    frame.mesh_ids = to_plane(in.mesh_ids, in.mesh_row_stride, in, "rt_frame_desc.mesh_ids",
+                              "rt_frame_desc.mesh_row_stride");
+    frame.normals = to_plane(in.normals, in.normal_row_stride, in, "rt_frame_desc.normals",
+                             "rt_frame_desc.normal_row_stride", 3);
+    if (!in.pixels && !frame.wants_planes())
+        base::fail(base::Code::invalid_argument,
+                   "rt_frame_desc.pixels is null, and no other plane is asked for");
+}
+
 render::Frame to_frame(const rt_frame_desc& in) {
     check_format(in);
     require_extent(in.width, kLargestFrame, "rt_frame_desc.width");
@@ -76,9 +100,11 @@ render::Frame to_frame(const rt_frame_desc& in) {
     render::Frame frame;
     frame.format = render::PixelFormat(in.format);
     frame.pixels = in.pixels;
-    frame.row_stride =
-        require_rows(in.pixels, in.row_stride, in.width * render::bytes_per_pixel(frame.format),
-                     in.height, "rt_frame_desc.pixels", "rt_frame_desc.row_stride");
+    read_planes(in, frame);
+    if (in.pixels)
+        frame.row_stride =
+            require_rows(in.pixels, in.row_stride, in.width * render::bytes_per_pixel(frame.format),
+                         in.height, "rt_frame_desc.pixels", "rt_frame_desc.row_stride");
     frame.width = in.width;
     frame.height = in.height;
     frame.view = render::View(in.view);
@@ -103,11 +129,9 @@ rt_frame_stats to_stats(const render::FrameStats& in) {
 render::FrameStats render(scene::Scene& scene, const render::Camera& camera,
                           const render::Frame& frame) {
     const scene::SnapshotStore::Pin pin(scene.snapshots);
-    if (!pin.get())
-        base::fail(base::Code::not_committed,
-                   "the scene has no snapshot yet: call rt_commit_scene");
     render::FrameStats stats;
-    render::render_frame(*pin.get(), camera, frame, scene.scheduler, &scene.memory, &stats);
+    render::render_frame(require_snapshot(pin), camera, frame, scene.scheduler, &scene.memory,
+                         &stats);
     return stats;
 }
 

@@ -30,11 +30,13 @@ PEREGRINE_RELEASED(rt_mesh_desc, 200);
 PEREGRINE_RELEASED(rt_mesh_update, 80);
 PEREGRINE_RELEASED(rt_light_desc, 72);
 PEREGRINE_RELEASED(rt_environment, 32);
-PEREGRINE_RELEASED(rt_commit_desc, 24);
-PEREGRINE_RELEASED(rt_commit_report, 144);
-PEREGRINE_RELEASED(rt_query_desc, 72);
+PEREGRINE_RELEASED(rt_commit_desc, 32);
+PEREGRINE_RELEASED(rt_commit_report, 152);
+PEREGRINE_RELEASED(rt_ray_arrays, 72);
+PEREGRINE_RELEASED(rt_hit_arrays, 56);
+PEREGRINE_RELEASED(rt_query_desc, 88);
 PEREGRINE_RELEASED(rt_camera, 56);
-PEREGRINE_RELEASED(rt_frame_desc, 56);
+PEREGRINE_RELEASED(rt_frame_desc, 120);
 PEREGRINE_RELEASED(rt_frame_stats, 40);
 PEREGRINE_RELEASED(rt_scene_stats, 64);
 

@@ -25,11 +25,13 @@ rt_scene insert_scene(HostScene* scene) {
     const std::lock_guard lock(table_mutex);
     for (uint32_t i = 0; i < kMaxScenes; ++i) {
         SceneSlot& slot = scene_slots[i];
-        if (slot.generation.load(std::memory_order_relaxed) != 0) continue;
-        if (++slot.last_generation == 0) slot.last_generation = 1;
+        const uint64_t key = slot.key.load(std::memory_order_relaxed);
+        if (uint32_t(key) != SceneSlot::kFree) continue;
+        const auto last_generation = uint32_t(key >> 32);
+        const rt_scene handle = {i, last_generation + 1 ? last_generation + 1 : 1};
         slot.scene.store(scene, std::memory_order_relaxed);
-        slot.generation.store(slot.last_generation, std::memory_order_release);
-        return {i, slot.last_generation};
+        slot.key.store(key_of(handle), std::memory_order_release);
+        return handle;
     }
     base::fail(base::Code::limit, "there are %u scenes already", kMaxScenes);
 }
@@ -37,7 +39,8 @@ rt_scene insert_scene(HostScene* scene) {
 HostScene* take_scene(rt_scene handle) {
     const std::lock_guard lock(table_mutex);
     HostScene& scene = find_scene(handle);
-    scene_slots[handle.index].generation.store(0, std::memory_order_release);
+    scene_slots[handle.index].key.store(key_of({SceneSlot::kFree, handle.generation}),
+                                        std::memory_order_release);
     scene_slots[handle.index].scene.store(nullptr, std::memory_order_relaxed);
     return &scene;
 }

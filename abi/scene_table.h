@@ -9,11 +9,17 @@ namespace peregrine::abi {
 
 inline constexpr uint32_t kMaxScenes = 1024;
 
+// A scene's handle as one number.
+constexpr uint64_t key_of(rt_scene handle) {
+    return handle.index | uint64_t(handle.generation) << 32;
+}
+
 // The scenes of the process. Looking one up is two loads from a line that only rt_create_scene and
 // rt_destroy_scene write.
 struct SceneSlot {
-    std::atomic<uint32_t> generation{0}; // 0: free
-    uint32_t last_generation = 0;        // the table's mutex guards it
+    static constexpr uint32_t kFree = 0xffffffffu;
+
+    std::atomic<uint64_t> key{kFree}; // of the handle; of {kFree, last generation} if free
     std::atomic<HostScene*> scene{nullptr};
 };
 static_assert(sizeof(SceneSlot) == 16);
@@ -24,9 +30,9 @@ extern constinit SceneSlot scene_slots[kMaxScenes];
 
 // Throws base::Error invalid_handle for anything but a living scene.
 inline HostScene& find_scene(rt_scene handle) {
-    if (handle.index < kMaxScenes && handle.generation != 0) [[likely]] {
+    if (handle.index < kMaxScenes) [[likely]] {
         const SceneSlot& slot = scene_slots[handle.index];
-        if (slot.generation.load(std::memory_order_acquire) == handle.generation) [[likely]]
+        if (slot.key.load(std::memory_order_acquire) == key_of(handle)) [[likely]]
             return *slot.scene.load(std::memory_order_relaxed);
     }
     fail_scene(handle);

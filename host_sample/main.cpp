@@ -45,17 +45,18 @@ int list_cameras(const std::vector<Viewpoint>& cameras) {
     return 0;
 }
 
-rt_commit_report build(Stage& stage, bool quiet) {
+rt_commit_report build(Stage& stage, const Options& options) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     int shown = -1; // per cent
-    const rt_commit_report report = stage.commit([&](float fraction) {
-        if (quiet || Clock::now() - begin < std::chrono::milliseconds(500)) return;
+    const auto show = [&](float fraction) {
+        if (options.quiet || Clock::now() - begin < std::chrono::milliseconds(500)) return;
         const int percent = static_cast<int>(100.0f * fraction);
         if (percent == shown) return;
         std::fprintf(stderr, "\rbuilding %3d%%", percent);
         shown = percent;
-    });
+    };
+    const rt_commit_report report = stage.commit(options.structure, options.build, show);
     if (shown >= 0) std::fprintf(stderr, "\rbuilding 100%%\n");
     return report;
 }
@@ -86,7 +87,7 @@ int run(const Options& options) {
     const Plugin plugin(options.library);
     Stage stage(plugin.api(), options.threads, options.isa);
     upload_level(stage, level, options.ambient);
-    const rt_commit_report report = build(stage, options.quiet);
+    const rt_commit_report report = build(stage, options);
     Session session{options, level, std::move(cameras), camera, stage, report, {}, 0, 0};
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);

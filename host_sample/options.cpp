@@ -29,6 +29,11 @@ const std::map<std::string, rt_isa> isas = {{"auto", RT_ISA_BEST},
                                             {"avx2", RT_ISA_AVX2},
                                             {"avx512", RT_ISA_AVX512}};
 
+const std::map<std::string, rt_structure> structures = {
+    {"auto", RT_STRUCTURE_AUTO}, {"bvh", RT_STRUCTURE_BVH}, {"kdtree", RT_STRUCTURE_KDTREE}};
+const std::map<std::string, rt_build_quality> builds = {
+    {"balanced", RT_BUILD_BALANCED}, {"fast", RT_BUILD_FAST}, {"best", RT_BUILD_BEST}};
+
 constexpr const char* keys_text = R"(
 In the window:
   mouse, arrows    look around (click to capture the mouse, Esc to release it)
@@ -75,7 +80,7 @@ void parse_size(const std::string& text, Options& options) {
 
 // The texts of options that need more than CLI11's own parsing.
 struct Texts {
-    std::string size = "1280x720", view = "shaded", isa;
+    std::string size = "1280x720", view = "shaded", isa, structure = "auto", build = "balanced";
     uint32_t frames = 0;
 };
 
@@ -99,6 +104,8 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--stats", options.stats, "JSON file to write measurements to [none]");
     app.add_option("--isa", texts.isa,
                    "auto, scalar, sse4, avx2 or avx512 [$PEREGRINE_ISA, else auto]");
+    app.add_option("--structure", texts.structure, "auto, bvh or kdtree [auto]");
+    app.add_option("--build", texts.build, "balanced, fast or best [balanced]");
     app.add_option("--exposure", options.exposure,
                    "multiplies the light before tone mapping [adapts to the view]")
         ->check(CLI::Range(1e-6, 1e6));
@@ -118,6 +125,8 @@ void interpret(const CLI::App& app, const Texts& texts, Options& options) {
     if (!std::isfinite(options.scale + options.exposure.value_or(1.0f) + options.ambient))
         throw InputError("--scale, --exposure and --ambient take finite numbers");
     options.view = find_value(views, texts.view, "--view");
+    options.structure = find_value(structures, texts.structure, "--structure");
+    options.build = find_value(builds, texts.build, "--build");
     if (app.count("--frames") > 0) options.frames = texts.frames;
     const char* variable = std::getenv("PEREGRINE_ISA");
     if (!texts.isa.empty())
@@ -157,6 +166,14 @@ const char* isa_name(rt_isa isa) {
 
 const char* view_name(rt_view view) {
     return find_name(views, view, "unknown");
+}
+
+const char* structure_name(rt_structure structure) {
+    return find_name(structures, structure, "unknown");
+}
+
+const char* build_name(rt_build_quality quality) {
+    return find_name(builds, quality, "unknown");
 }
 
 } // namespace host

@@ -19,6 +19,8 @@ struct Options {
     rt_view view = RT_VIEW_SHADED;
     std::string stats;
     rt_isa isa = RT_ISA_BEST;
+    rt_structure structure = RT_STRUCTURE_AUTO;
+    rt_build_quality build = RT_BUILD_BALANCED;
     std::optional<float> exposure; // none: adapts to the view
     float ambient = 0.15f;
     float scale = 1.0f;
@@ -40,5 +42,7 @@ ParsedOptions parse_options(int argc, const char* const* argv);
 
 const char* isa_name(rt_isa isa);
 const char* view_name(rt_view view);
+const char* structure_name(rt_structure structure);
+const char* build_name(rt_build_quality quality);
 
 } // namespace host

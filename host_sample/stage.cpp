@@ -23,8 +23,11 @@ void Stage::check(rt_result result, const char* what) const {
                       + api_.get_last_error());
 }
 
-rt_commit_report Stage::commit(const std::function<void(float)>& progress) {
+rt_commit_report Stage::commit(rt_structure structure, rt_build_quality quality,
+                               const std::function<void(float)>& progress) {
     rt_commit_desc desc = rt_default_commit_desc();
+    desc.structure = structure;
+    desc.quality = quality;
     if (progress) {
         desc.progress = [](void* user, float fraction) -> int32_t {
             (*static_cast<const std::function<void(float)>*>(user))(fraction);

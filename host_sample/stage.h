@@ -32,7 +32,8 @@ public:
     void check(rt_result result, const char* what) const;
 
     // Returns the engine's report. `progress` gets the fraction done and may be null.
-    rt_commit_report commit(const std::function<void(float)>& progress);
+    rt_commit_report commit(rt_structure structure, rt_build_quality quality,
+                            const std::function<void(float)>& progress);
 
     // `pixels` holds height rows of width pixels of the format, without gaps.
     rt_frame_stats render(const Viewpoint& viewpoint, const Frame& frame, void* pixels) const;

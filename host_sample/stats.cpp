@@ -78,6 +78,8 @@ std::string describe_stats(const Session& session) {
         {"frame_ms_worst", log.worst_ms()},
         {"rays", {{"primary", log.mean_primary()}, {"shadow", log.mean_shadow()}}},
         {"mrays_per_s", log.mrays_per_second()},
+        {"structure", structure_name(report.structure)},
+        {"build", build_name(report.quality)},
         {"build_ms", report.build_ms},
         {"commit_ms", report.commit_ms},
         {"bytes", describe_bytes(report, stats)},

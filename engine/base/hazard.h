@@ -37,12 +37,13 @@ HazardRecord* first_record_of_thread();
 class Hazard {
 public:
     // Announces what `source` points to, and keeps it alive until this object ends. Pins of a
-    // thread may nest, eight deep; std::bad_alloc if the thread's first one finds no memory.
+    // thread nest, up to eight deep; std::bad_alloc if the thread's first one finds no memory.
     template <class T>
-    explicit Hazard(const std::atomic<T*>& source) : slot_(acquire_slot()) {
+    explicit Hazard(const std::atomic<T*>& source) : record_(record_of_thread()) {
+        Slot& slot = record_->slots[record_->used++];
         T* object = source.load(std::memory_order_acquire);
         for (;;) {
-            slot_.store(object, std::memory_order_release);
+            slot.store(object, std::memory_order_release);
             reader_barrier();
             T* again = source.load(std::memory_order_acquire);
             if (again == object) break;
@@ -51,7 +52,7 @@ public:
         object_ = object;
     }
 
-    ~Hazard() { release_slot(slot_); }
+    ~Hazard() { record_->slots[--record_->used].store(nullptr, std::memory_order_release); }
     Hazard(const Hazard&) = delete;
     Hazard& operator=(const Hazard&) = delete;
 
@@ -65,18 +66,14 @@ public:
 private:
     using Slot = std::atomic<const void*>;
 
-    static Slot& acquire_slot() {
+    static detail::HazardRecord* record_of_thread() {
         detail::HazardRecord* record = detail::this_record;
         if (!record) [[unlikely]]
             record = detail::first_record_of_thread();
         if (record->used == detail::kHazardSlots) [[unlikely]]
             fail(Code::limit, "more than %u queries of one thread are inside one another",
                  detail::kHazardSlots);
-        return record->slots[record->used++];
-    }
-    static void release_slot(Slot& slot) {
-        slot.store(nullptr, std::memory_order_release);
-        --detail::this_record->used;
+        return record;
     }
     static void reader_barrier() {
         if (detail::has_membarrier) [[likely]]
@@ -85,7 +82,7 @@ private:
             std::atomic_thread_fence(std::memory_order_seq_cst);
     }
 
-    Slot& slot_;
+    detail::HazardRecord* record_;
     const void* object_;
 };
 

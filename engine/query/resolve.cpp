@@ -1,6 +1,7 @@
 #include "query/resolve.h"
 
 #include "base/error.h"
+#include "query/surface.h"
 
 #include <cmath>
 #include <limits>
@@ -30,38 +31,19 @@ void check(const scene::Snapshot& snapshot, const Hit& hit, uint64_t index) {
                    place);
 }
 
-// In double: the sides of a triangle may be 1e30.
-math::Vec3d unit(const math::Vec3d& v) {
-    const double length = std::sqrt(glm::dot(v, v));
-    return length > 0 ? v / length : math::Vec3d(0);
-}
-
 Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit) {
     if (is_miss(hit)) return {};
     const scene::Snapshot::Mesh& mesh = snapshot.meshes[hit.mesh.index];
     const scene::MeshData& data = *mesh.data;
     const auto& corners = data.triangles[hit.triangle];
-    const double weights[3] = {1.0 - double(hit.u) - double(hit.v), double(hit.u), double(hit.v)};
-    const auto blend = [&](const auto& values, auto zero) {
-        for (size_t k = 0; k < 3; ++k) zero += weights[k] * decltype(zero)(values[corners[k]]);
-        return zero;
-    };
-    const math::Vec3d v0 = data.positions[corners[0]];
-    const math::Vec3d v1 = data.positions[corners[1]];
-    const math::Vec3d v2 = data.positions[corners[2]];
     const scene::Material& material = snapshot.materials[mesh.material_of(hit.triangle)];
 
     Surface surface;
-    surface.position = weights[0] * v0 + weights[1] * v1 + weights[2] * v2;
-    const math::Vec3d normal = unit(glm::cross(v1 - v0, v2 - v0));
-    surface.geometric_normal = math::Vec3(normal);
-    surface.shading_normal = surface.geometric_normal;
-    if (!data.normals.empty()) {
-        const math::Vec3d shading = unit(blend(data.normals, math::Vec3d(0)));
-        if (shading != math::Vec3d(0)) surface.shading_normal = math::Vec3(shading);
-    }
+    surface.position = blend<math::Vec3d>(data.positions, corners, hit.u, hit.v);
+    surface.geometric_normal = geometric_normal(data, hit.triangle);
+    surface.shading_normal = shading_normal(data, hit.triangle, hit.u, hit.v);
     if (!data.texcoords.empty())
-        surface.texcoord = math::Vec2(blend(data.texcoords, glm::dvec2(0)));
+        surface.texcoord = math::Vec2(blend<glm::dvec2>(data.texcoords, corners, hit.u, hit.v));
     surface.material = {material.slot, material.generation};
     surface.material_user_data = material.user_data;
     surface.mesh_user_data = mesh.user_data;

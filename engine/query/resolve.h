@@ -2,7 +2,7 @@
 
 #include "base/slot_map.h"
 #include "math/vec.h"
-#include "query/query.h"
+#include "query/records.h"
 #include "scene/snapshot.h"
 
 #include <cstdint>

@@ -10,9 +10,10 @@
 namespace peregrine::render {
 namespace {
 
-// The features that a view looks at.
-uint32_t features_seen(const scene::Snapshot& snapshot, View view) {
-    return view == View::shaded ? snapshot.features : snapshot.features & scene::kNormalMaps;
+// The features that a frame looks at.
+uint32_t features_seen(const scene::Snapshot& snapshot, const Frame& frame) {
+    if (!frame.pixels) return 0;
+    return frame.view == View::shaded ? snapshot.features : snapshot.features & scene::kNormalMaps;
 }
 
 trace::Filter primary_filter(const scene::Snapshot& snapshot) {
@@ -28,17 +29,18 @@ void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const F
                   base::Scheduler& scheduler, base::Memory* memory, FrameStats* stats) {
     const auto begin = std::chrono::steady_clock::now();
     base::Vector<shade::PreparedLight> lights(memory);
-    lights.reserve(snapshot.lights.size());
-    for (const scene::Light& light : snapshot.lights) lights.push_back(shade::prepare(light));
+    if (frame.pixels) {
+        lights.reserve(snapshot.lights.size());
+        for (const scene::Light& light : snapshot.lights) lights.push_back(shade::prepare(light));
+    }
 
-    const FrameContext context = {snapshot,
-                                  frame,
-                                  Pinhole(camera, frame.width, frame.height),
-                                  primary_filter(snapshot),
-                                  shade::Shader::prepare(snapshot,
-                                                         features_seen(snapshot, frame.view),
-                                                         frame.shadows, lights),
-                                  Output::choose(frame)};
+    const FrameContext context = {
+        snapshot,
+        frame,
+        Pinhole(camera, frame.width, frame.height),
+        primary_filter(snapshot),
+        shade::Shader::prepare(snapshot, features_seen(snapshot, frame), frame.shadows, lights),
+        Output::choose(frame)};
     const uint32_t tile_count = Tile::tile_count(frame.width, frame.height);
     const uint32_t worker_count = std::min(scheduler.concurrency(), tile_count);
     base::Vector<Worker> workers(worker_count, memory);

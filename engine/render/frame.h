@@ -24,9 +24,15 @@ inline uint32_t bytes_per_pixel(PixelFormat format) {
     return format == PixelFormat::rgba32f ? 16 : format == PixelFormat::rgba16f ? 8 : 4;
 }
 
+// Rows of what the primary rays see; null: not wanted.
+struct Plane {
+    void* data = nullptr;    // top row first, of any alignment
+    uint64_t row_stride = 0; // bytes
+};
+
 struct Frame {
     PixelFormat format = PixelFormat::rgba8_srgb;
-    void* pixels = nullptr;  // top row first, of any alignment
+    void* pixels = nullptr;  // top row first, of any alignment; null: shade nothing
     uint64_t row_stride = 0; // bytes; at least width pixels
     uint32_t width = 0;
     uint32_t height = 0;
@@ -36,6 +42,14 @@ struct Frame {
     float depth_range = 50;
     float steps_range = 100;
     bool shadows = true;
+    Plane depth;        // float: t, which is the distance along `forward` (see Pinhole)
+    Plane triangle_ids; // uint32_t
+    Plane mesh_ids;     // base::Handle
+    Plane normals;      // float[3]
+
+    bool wants_planes() const {
+        return depth.data || triangle_ids.data || mesh_ids.data || normals.data;
+    }
 };
 
 struct FrameStats {
@@ -46,8 +60,8 @@ struct FrameStats {
     base::Isa isa = base::Isa::scalar;
 };
 
-// Renders what the snapshot holds into frame.pixels. Throws std::bad_alloc alone, before the first
-// pixel is written. `stats` may be null.
+// Renders what the snapshot holds into frame.pixels and the planes. Throws std::bad_alloc alone,
+// before the first pixel is written. `stats` may be null.
 void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
                   base::Scheduler& scheduler, base::Memory* memory, FrameStats* stats);
 

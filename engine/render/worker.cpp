@@ -1,6 +1,7 @@
 #include "render/worker.h"
 
 #include "render/views.h"
+#include "render/visibility.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,6 +10,18 @@ namespace peregrine::render {
 
 static_assert(kTilePadded * sizeof(float) % 64 == 0, "the kernels want aligned arrays");
 static_assert(kTileRays % shade::kBatch == 0);
+
+namespace {
+
+// Four rays in a tile's order: two in a row, two in the next.
+void fill_square(const float* across, const float* down, float* direction) {
+    direction[0] = across[0] + down[0];
+    direction[1] = across[1] + down[0];
+    direction[2] = across[0] + down[1];
+    direction[3] = across[1] + down[1];
+}
+
+} // namespace
 
 void Worker::begin(const FrameContext& context) {
     for (int k = 0; k < 3; ++k) std::fill_n(origin_[k], kTilePadded, context.pinhole.origin[k]);
@@ -20,21 +33,30 @@ void Worker::render(const FrameContext& context, uint32_t tile_index) {
     tile_.place(tile_index, context.frame.width, context.frame.height);
     make_rays(context.pinhole);
     trace(context);
+    if (context.frame.wants_planes())
+        write_planes(context.snapshot, context.frame, tile_, {t_, u_, v_, triangle_});
+    if (!context.frame.pixels) return;
     for (uint32_t first = 0; first < tile_.count; first += shade::kBatch) show(context, first);
     context.output.map_tones(context.frame.exposure, tile_.count, colors_);
     context.output.write(context.frame, tile_, colors_);
 }
 
-// The operations of Pinhole::direction, as loops over arrays.
+// The operations of Pinhole::direction, of which all but a sum are those of a column or a row.
 void Worker::make_rays(const Pinhole& pinhole) {
-    const auto x0 = int32_t(tile_.x0), y0 = int32_t(tile_.y0);
     for (int k = 0; k < 3; ++k) {
-        const float corner = pinhole.corner[k], right = pinhole.right[k], down = pinhole.down[k];
-        float* direction = direction_[k];
-        for (uint32_t i = 0; i < tile_.count; ++i) {
-            const float x = float(x0 + tile_.x[i]) + 0.5f, y = float(y0 + tile_.y[i]) + 0.5f;
-            direction[i] = (corner + right * x) + down * y;
+        float across[kTileSize], down[kTileSize];
+        for (uint32_t i = 0; i < kTileSize; ++i) {
+            across[i] =
+                pinhole.corner[k] + pinhole.right[k] * (float(int32_t(tile_.x0 + i)) + 0.5f);
+            down[i] = pinhole.down[k] * (float(int32_t(tile_.y0 + i)) + 0.5f);
         }
+        float* const direction = direction_[k];
+        if (tile_.count == kTileRays)
+            for (uint32_t i = 0; i < kTileRays; i += 4)
+                fill_square(across + tile_.x[i], down + tile_.y[i], direction + i);
+        else
+            for (uint32_t i = 0; i < tile_.count; ++i)
+                direction[i] = across[tile_.x[i]] + down[tile_.y[i]];
         std::fill_n(direction + tile_.count, kTilePadded - kTileRays, direction[tile_.count - 1]);
     }
 }
@@ -44,7 +66,8 @@ void Worker::trace(const FrameContext& context) {
                                    {direction_[0], direction_[1], direction_[2]},
                                    t_min_,
                                    t_max_,
-                                   tile_.count};
+                                   tile_.count,
+                                   trace::Coherence::common_origin};
     const bool count_steps = context.frame.view == View::steps;
     context.snapshot.kernels->closest_stream(
         context.shader.target, rays, context.filter,

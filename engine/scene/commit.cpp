@@ -4,6 +4,8 @@
 #include "accel/kdtree/builder.h"
 #include "base/error.h"
 #include "scene/collect.h"
+#include "scene/draft.h"
+#include "scene/resolve.h"
 
 #include <chrono>
 
@@ -14,134 +16,6 @@ using Clock = std::chrono::steady_clock;
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// A snapshot on its way; destroyed unless it was published.
-class Draft {
-public:
-    explicit Draft(SnapshotStore& store) : store_(store), snapshot_(store.create()) {}
-    ~Draft() {
-        if (snapshot_) store_.destroy(snapshot_);
-    }
-    Draft(const Draft&) = delete;
-    Draft& operator=(const Draft&) = delete;
-
-    Snapshot& operator*() { return *snapshot_; }
-    void publish() { store_.publish(std::exchange(snapshot_, nullptr)); }
-
-private:
-    SnapshotStore& store_;
-    Snapshot* snapshot_;
-};
-
-// Resolves the handles of one commit to places in the snapshot.
-class Resolver {
-public:
-    Resolver(Scene& scene, Snapshot& snapshot)
-        : scene_(scene), snapshot_(snapshot), material_places_(&scene.memory) {}
-
-    void textures() {
-        for (const auto& slot : scene_.textures.slots())
-            if (slot.object) snapshot_.textures.push_back(*slot.object);
-    }
-
-    void materials() {
-        snapshot_.materials.emplace_back();
-        snapshot_.materials[0].double_sided = true;
-        const auto& slots = scene_.materials.slots();
-        material_places_.assign(slots.size(), 0);
-        for (uint32_t i = 0; i < slots.size(); ++i) {
-            if (!slots[i].object) continue;
-            material_places_[i] = uint32_t(snapshot_.materials.size());
-            snapshot_.materials.push_back(resolve(*slots[i].object, {i, slots[i].generation}));
-        }
-    }
-
-    void meshes() {
-        const auto& slots = scene_.meshes.slots();
-        snapshot_.meshes.reserve(slots.size());
-        snapshot_.layer_masks.reserve(slots.size());
-        for (const auto& slot : slots) {
-            snapshot_.meshes.push_back(
-                {nullptr, base::Vector<uint32_t>(&scene_.memory), 0, slot.generation, 0, false, 0});
-            if (slot.object) resolve(*slot.object, snapshot_.meshes.back());
-            snapshot_.layer_masks.push_back(snapshot_.meshes.back().layer_mask);
-        }
-    }
-
-    void lights() {
-        for (const auto& slot : scene_.lights.slots())
-            if (slot.object) snapshot_.lights.push_back(*slot.object);
-    }
-
-private:
-    Material resolve(const MaterialDescription& description, Handle handle) {
-        Material material = description.material;
-        material.slot = handle.index;
-        material.generation = handle.generation;
-        resolve(material.base_color_texture, description.base_color_texture, handle);
-        resolve(material.normal_texture, description.normal_texture, handle);
-        resolve(material.emissive_texture, description.emissive_texture, handle);
-        return material;
-    }
-
-    void resolve(TextureUse& use, Handle texture, Handle material) {
-        if (!texture) return;
-        const auto* found = scene_.textures.find(texture);
-        if (!found)
-            base::fail(base::Code::invalid_argument,
-                       "material {%u, %u} names texture {%u, %u}, which was removed",
-                       material.index, material.generation, texture.index, texture.generation);
-        use.texture = found->get();
-    }
-
-    void resolve(const MeshDescription& description, Snapshot::Mesh& mesh) {
-        mesh.data = description.data;
-        mesh.layer_mask = description.layer_mask;
-        mesh.dynamic = description.dynamic;
-        mesh.user_data = description.user_data;
-        mesh.material = place(description.data->material);
-        mesh.materials.reserve(description.data->materials.size());
-        for (const auto& reference : description.data->materials)
-            mesh.materials.push_back(place(reference));
-    }
-
-    // A material that was removed shows as the default one.
-    uint32_t place(const MeshData::MaterialRef& reference) {
-        return scene_.materials.find({reference.index, reference.generation})
-                   ? material_places_[reference.index]
-                   : 0;
-    }
-
-    Scene& scene_;
-    Snapshot& snapshot_;
-    base::Vector<uint32_t> material_places_; // by slot
-};
-
-uint32_t features_of(const Material& material) {
-    uint32_t features = material.masked ? uint32_t(kAlphaMask) : 0;
-    if (!material.double_sided) features |= kSingleSidedMaterials;
-    if (material.base_color_texture.texture) features |= kTextures;
-    if (material.normal_texture.texture) features |= kNormalMaps | kTextures;
-    if (material.emissive_texture.texture) features |= kTextures;
-    if (material.emissive != math::Vec3(0)) features |= kEmissive;
-    if (material.specular != math::Vec3(0)) features |= kSpecular;
-    return features;
-}
-
-// Of the materials that meshes show, not of those that are merely described.
-uint32_t features_of(const Snapshot& snapshot) {
-    uint32_t features = 0;
-    for (const Snapshot::Mesh& mesh : snapshot.meshes) {
-        if (!mesh.data) continue;
-        if (mesh.dynamic) features |= kDynamicMeshes;
-        if (mesh.materials.empty()) features |= features_of(snapshot.materials[mesh.material]);
-        for (const uint32_t material : mesh.materials)
-            features |= features_of(snapshot.materials[material]);
-    }
-    for (const Light& light : snapshot.lights)
-        features |= kLights | (light.casts_shadow ? uint32_t(kShadows) : 0);
-    return features;
 }
 
 template <class T>
@@ -196,12 +70,7 @@ CommitReport Scene::commit(const CommitOptions& options) {
     snapshots.reserve();
     Draft draft(snapshots);
     Snapshot& snapshot = *draft;
-    Resolver resolver(*this, snapshot);
-    resolver.textures();
-    resolver.materials();
-    resolver.meshes();
-    resolver.lights();
-    snapshot.environment = environment;
+    resolve(*this, snapshot);
     snapshot.version = version_ + 1;
     snapshot.features = features_of(snapshot);
     snapshot.geometry = current_geometry(snapshot, options);
@@ -212,6 +81,7 @@ CommitReport Scene::commit(const CommitOptions& options) {
 
     CommitReport report;
     report.geometry = snapshot.geometry;
+    report.build = options.build;
     report.features = snapshot.features;
     report.bytes_attributes = attribute_bytes(snapshot);
     report.bytes_textures = texture_bytes(snapshot);

@@ -4,6 +4,8 @@
 
 namespace peregrine::scene {
 
+struct Snapshot;
+
 // What a scene has, counted at commit. What it has not is skipped whole (promise 3). The values are
 // those of RT_FEATURE_*.
 enum Feature : uint32_t {
@@ -18,5 +20,8 @@ enum Feature : uint32_t {
     kSingleSidedMaterials = 1u << 8,
     kAllFeatures = (1u << 9) - 1,
 };
+
+// Of the materials that meshes show, not of those that are merely described.
+uint32_t features_of(const Snapshot& snapshot);
 
 } // namespace peregrine::scene

@@ -51,6 +51,7 @@ struct CommitOptions {
 
 struct CommitReport {
     std::shared_ptr<const Geometry> geometry; // for its tree's report
+    BuildChoice build;
     uint32_t features = 0;
     uint64_t bytes_attributes = 0;
     uint64_t bytes_textures = 0;

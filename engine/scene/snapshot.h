@@ -56,13 +56,14 @@ struct Snapshot {
     };
 
     explicit Snapshot(base::Memory* memory)
-        : meshes(memory), layer_masks(memory), materials(memory), textures(memory), lights(memory) {
-    }
+        : meshes(memory), layer_masks(memory), generations(memory), materials(memory),
+          textures(memory), lights(memory) {}
 
     std::shared_ptr<const Geometry> geometry;
     trace::Target target{};                                // into `geometry`
     base::Vector<Mesh> meshes;                             // by slot
     base::Vector<uint32_t> layer_masks;                    // by slot, for the kernels
+    base::Vector<uint32_t> generations;                    // by slot, for hits
     base::Vector<Material> materials;                      // 0 is the default material
     base::Vector<std::shared_ptr<const Texture>> textures; // keeps those of the materials alive
     base::Vector<Light> lights;

@@ -133,6 +133,8 @@ static void print_commit(void) {
     STRUCT(rt_commit_desc);
     FIELD(rt_commit_desc, struct_size);
     FIELD(rt_commit_desc, empty_bonus);
+    FIELD(rt_commit_desc, structure);
+    FIELD(rt_commit_desc, quality);
     FIELD(rt_commit_desc, progress);
     FIELD(rt_commit_desc, progress_user);
     STRUCT(rt_commit_report);
@@ -157,6 +159,8 @@ static void print_commit(void) {
     FIELD(rt_commit_report, commit_ms);
     FIELD(rt_commit_report, light_count);
     FIELD(rt_commit_report, rebuilt);
+    FIELD(rt_commit_report, structure);
+    FIELD(rt_commit_report, quality);
 }
 
 static void print_query(void) {
@@ -173,6 +177,22 @@ static void print_query(void) {
     FIELD(rt_hit, mesh);
     FIELD(rt_hit, instance);
     FIELD(rt_hit, back_face);
+    STRUCT(rt_ray_arrays);
+    FIELD(rt_ray_arrays, struct_size);
+    FIELD(rt_ray_arrays, reserved);
+    FIELD(rt_ray_arrays, origin);
+    FIELD(rt_ray_arrays, direction);
+    FIELD(rt_ray_arrays, t_min);
+    FIELD(rt_ray_arrays, t_max);
+    STRUCT(rt_hit_arrays);
+    FIELD(rt_hit_arrays, struct_size);
+    FIELD(rt_hit_arrays, reserved);
+    FIELD(rt_hit_arrays, t);
+    FIELD(rt_hit_arrays, u);
+    FIELD(rt_hit_arrays, v);
+    FIELD(rt_hit_arrays, triangle);
+    FIELD(rt_hit_arrays, mesh);
+    FIELD(rt_hit_arrays, back_face);
     STRUCT(rt_query_desc);
     FIELD(rt_query_desc, struct_size);
     FIELD(rt_query_desc, kind);
@@ -186,7 +206,9 @@ static void print_query(void) {
     FIELD(rt_query_desc, layer_mask);
     FIELD(rt_query_desc, ignore_mesh);
     FIELD(rt_query_desc, flags);
-    FIELD(rt_query_desc, reserved);
+    FIELD(rt_query_desc, coherence);
+    FIELD(rt_query_desc, ray_arrays);
+    FIELD(rt_query_desc, hit_arrays);
     STRUCT(rt_surface);
     FIELD(rt_surface, position);
     FIELD(rt_surface, geometric_normal);
@@ -217,6 +239,14 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, depth_range);
     FIELD(rt_frame_desc, steps_range);
     FIELD(rt_frame_desc, no_shadows);
+    FIELD(rt_frame_desc, depth);
+    FIELD(rt_frame_desc, triangle_ids);
+    FIELD(rt_frame_desc, mesh_ids);
+    FIELD(rt_frame_desc, normals);
+    FIELD(rt_frame_desc, depth_row_stride);
+    FIELD(rt_frame_desc, triangle_row_stride);
+    FIELD(rt_frame_desc, mesh_row_stride);
+    FIELD(rt_frame_desc, normal_row_stride);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);

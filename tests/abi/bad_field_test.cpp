@@ -210,6 +210,21 @@ TEST_F(BadField, Commit) {
         expect_refused(rt_commit_scene(scene(), &desc, nullptr), RT_ERROR_INVALID_ARGUMENT,
                        "rt_commit_desc.empty_bonus");
     }
+    desc = rt_default_commit_desc();
+    const auto refuse = [&](rt_result expected, const char* words) {
+        expect_refused(rt_commit_scene(scene(), &desc, nullptr), expected, words);
+        desc = rt_default_commit_desc();
+    };
+    for (const int32_t value : {-1, 4, 0x7fffffff}) {
+        desc.structure = value;
+        refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.structure is ");
+    }
+    for (const int32_t value : {-1, 3}) {
+        desc.quality = value;
+        refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.quality is ");
+    }
+    desc.structure = RT_STRUCTURE_BIH;
+    refuse(RT_ERROR_UNSUPPORTED, "rt_commit_desc.structure is RT_STRUCTURE_BIH");
     ASSERT_OK(move_lift(*world_, 3));
     desc.empty_bonus = 0.2f;
     desc.progress = [](void*, float) -> int32_t { return 1; };

@@ -98,6 +98,30 @@ TEST_F(BadFrame, Fields) {
     }
 }
 
+TEST_F(BadFrame, Planes) {
+    constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
+    using D = rt_frame_desc;
+    std::vector<float> floats(kWidth * kHeight * 3, -7.0f);
+    std::vector<uint32_t> ids(kWidth * kHeight * 2, 7);
+    frame_.depth = frame_.normals = floats.data();
+    frame_.triangle_ids = ids.data();
+    frame_.mesh_ids = reinterpret_cast<rt_mesh*>(ids.data());
+    refuse_frame([](D& d) { d.depth_row_stride = 19; }, kArgument, "depth_row_stride is 19");
+    refuse_frame([](D& d) { d.triangle_row_stride = 1; }, kArgument, "triangle_row_stride is 1");
+    refuse_frame([](D& d) { d.mesh_row_stride = 39; }, kArgument, "mesh_row_stride is 39");
+    refuse_frame([](D& d) { d.normal_row_stride = 59; }, kArgument, "normal_row_stride is 59");
+    refuse_frame([](D& d) { d.depth_row_stride = ~0ull; }, RT_ERROR_LIMIT, "depth_row_stride");
+    refuse_frame([](D& d) { d.normal_row_stride = 1ull << 63; }, RT_ERROR_LIMIT, "normal_row_st");
+    refuse_frame([](D& d) { d.pixels = nullptr, d.width = 0; }, kArgument, "width is 0");
+    refuse_frame([](D& d) { d.pixels = nullptr, d.format = 9; }, kArgument, "format is 9");
+    for (const float value : floats) EXPECT_EQ(value, -7.0f);
+    for (const uint32_t value : ids) EXPECT_EQ(value, 7u);
+    frame_.depth = frame_.normals = nullptr;
+    frame_.triangle_ids = nullptr;
+    frame_.mesh_ids = nullptr;
+    refuse_frame([](D& d) { d.pixels = nullptr; }, kArgument, "no other plane is asked for");
+}
+
 // Formats and views at an odd address with odd strides; bytes between the rows stay.
 TEST_F(BadFrame, StridesAndOddAddressesAreFine) {
     const struct {

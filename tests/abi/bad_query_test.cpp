@@ -54,7 +54,8 @@ TEST_F(BadQuery, Fields) {
     refuse_both([](Query& q) { q.desc.kind = -1; }, kArgument, "rt_query_desc.kind is -1");
     refuse_both([](Query& q) { q.desc.faces = 3; }, kArgument, "rt_query_desc.faces is 3");
     refuse_both([](Query& q) { q.desc.flags = 2; }, kArgument, "rt_query_desc.flags is 0x2");
-    refuse_both([](Query& q) { q.desc.reserved = 1; }, kArgument, "rt_query_desc.reserved");
+    refuse_both([](Query& q) { q.desc.coherence = 4; }, kArgument, "rt_query_desc.coherence is 4");
+    refuse_both([](Query& q) { q.desc.coherence = -1; }, kArgument, "rt_query_desc.coherence");
     refuse_both([](Query& q) { q.desc.rays = nullptr; }, kArgument, "rt_query_desc.rays is null");
     refuse_both([](Query& q) { q.desc.ray_stride = 31; }, kArgument, "ray_stride is 31");
     Query closest(RT_QUERY_CLOSEST);
@@ -205,7 +206,7 @@ TEST_F(BadQuery, ASingleRayIsRefusedAsInABatch) {
     refuse_one([](Query& q) { q.rays[0].direction[1] = -0.0f; }, "ray 0: the direction is zero");
     refuse_one([](Query& q) { q.desc.rays = nullptr; }, "rt_query_desc.rays is null");
     refuse_one([](Query& q) { q.desc.kind = 2; }, "rt_query_desc.kind is 2");
-    refuse_one([](Query& q) { q.desc.reserved = 4; }, "rt_query_desc.reserved is 4");
+    refuse_one([](Query& q) { q.desc.coherence = 9; }, "rt_query_desc.coherence is 9");
     refuse_one([](Query& q) { q.desc.ray_stride = 16; }, "ray_stride is 16");
     refuse_one([](Query& q) { q.desc.hits = nullptr, q.desc.occluded = nullptr; }, "is null");
 }

@@ -121,12 +121,11 @@ private:
     // Now and then a byte of a struct becomes another, or its size an odd one; pointers, counts and
     // strides stay apart.
     template <class Struct>
-    void spoil(Struct& desc, size_t first) {
-        constexpr size_t kEnd = sizeof(Struct);
+    void spoil(Struct& desc, size_t first, size_t end = sizeof(Struct)) {
         if (random_.one_in(60)) desc.struct_size = uint32_t(random_.bits()) | 1;
         if (!random_.one_in(6)) return;
         auto* bytes = reinterpret_cast<unsigned char*>(&desc);
-        bytes[first + random_.bits() % (kEnd - first)] = uint8_t(random_.bits());
+        bytes[first + random_.bits() % (end - first)] = uint8_t(random_.bits());
     }
 
     std::vector<float> numbers(size_t count) {
@@ -266,6 +265,8 @@ private:
     void commit() {
         rt_commit_desc desc = rt_default_commit_desc();
         desc.empty_bonus = random_.one_in(2) ? 0 : random_.unit();
+        desc.structure = rt_structure(random_.below(5));
+        desc.quality = rt_build_quality(random_.below(random_.one_in(9) ? 5 : 3));
         rt_commit_report report = rt_default_commit_report();
         if (random_.one_in(10)) desc.empty_bonus = random_.number();
         if (random_.one_in(20)) desc.struct_size = random_.below(24);
@@ -294,13 +295,22 @@ private:
         for (float& f : camera.forward) f = random_.number();
         camera.vertical_fov = 3.3f * random_.unit();
         spoil(camera, 4);
-        spoil(frame, offsetof(rt_frame_desc, view));
+        const size_t count = size_t(frame.width) * frame.height;
+        std::vector<float> depth(count), normals(3 * count);
+        std::vector<uint32_t> triangles(count);
+        std::vector<rt_mesh> meshes(count);
+        if (random_.one_in(2)) frame.depth = depth.data();
+        if (random_.one_in(2)) frame.normals = normals.data();
+        if (random_.one_in(2)) frame.triangle_ids = triangles.data();
+        if (random_.one_in(2)) frame.mesh_ids = meshes.data();
+        if (random_.one_in(3)) frame.pixels = nullptr;
+        spoil(frame, offsetof(rt_frame_desc, view), offsetof(rt_frame_desc, depth));
         rt_frame_stats stats = rt_default_frame_stats();
         check(rt_render_frame(scene_, &camera, &frame, &stats));
     }
 
     void query() {
-        std::vector<rt_ray> rays(random_.below(20));
+        std::vector<rt_ray> rays(random_.one_in(4) ? random_.below(1300) : random_.below(20));
         for (rt_ray& ray : rays) {
             for (float& value : ray.origin)
                 value = random_.one_in(200) ? random_.number() : 8 * random_.unit() - 4;
@@ -320,16 +330,57 @@ private:
         if (random_.one_in(2)) desc.layer_mask = uint32_t(random_.bits());
         if (random_.one_in(2)) desc.ignore_mesh = random_.pick(meshes_);
         desc.flags = random_.below(2);
-        spoil(desc, offsetof(rt_query_desc, faces));
+        desc.coherence = rt_coherence(random_.below(2) * 3);
+        spoil(desc, offsetof(rt_query_desc, faces), offsetof(rt_query_desc, ray_arrays));
         desc.kind = RT_QUERY_CLOSEST;
         const rt_result closest = check(rt_trace_query(scene_, &desc));
         desc.kind = RT_QUERY_ANY;
         require(check(rt_trace_query(scene_, &desc)) == closest, "the kinds disagree on validity");
+        query_arrays(desc, closest, hits);
         if (closest != RT_OK) return;
         for (size_t i = 0; i < rays.size(); ++i)
             require((hits[i].triangle != RT_NO_TRIANGLE) == (occluded[i] == 1),
                     "closest hit and any hit disagree");
         resolve(hits);
+    }
+
+    // The same rays as separate arrays: the same result and hits.
+    void query_arrays(rt_query_desc desc, rt_result expected, const std::vector<rt_hit>& hits) {
+        const auto count = size_t(desc.ray_count);
+        std::vector<float> lanes[8];
+        for (size_t i = 0; i < count; ++i) {
+            const rt_ray& ray = desc.rays[i];
+            for (size_t k = 0; k < 3; ++k) {
+                lanes[k].push_back(ray.origin[k]);
+                lanes[3 + k].push_back(ray.direction[k]);
+            }
+            lanes[6].push_back(ray.t_min);
+            lanes[7].push_back(ray.t_max);
+        }
+        rt_ray_arrays in = rt_default_ray_arrays();
+        for (size_t k = 0; k < 3; ++k) {
+            in.origin[k] = lanes[k].data();
+            in.direction[k] = lanes[3 + k].data();
+        }
+        in.t_min = lanes[6].data();
+        in.t_max = lanes[7].data();
+        std::vector<float> t(count);
+        std::vector<uint32_t> triangle(count);
+        rt_hit_arrays out = rt_default_hit_arrays();
+        out.t = t.data();
+        if (random_.one_in(2)) out.triangle = triangle.data();
+        desc.kind = RT_QUERY_CLOSEST;
+        desc.rays = nullptr;
+        desc.hits = nullptr;
+        desc.ray_arrays = &in;
+        desc.hit_arrays = &out;
+        require(check(rt_trace_query(scene_, &desc)) == expected, "arrays are judged differently");
+        for (size_t i = 0; i < count && expected == RT_OK; ++i)
+            require(t[i] == hits[i].t && (!out.triangle || triangle[i] == hits[i].triangle),
+                    "arrays are answered differently");
+        if (count > 0 && random_.one_in(8)) in.struct_size = uint32_t(random_.bits()) | 1;
+        desc.hits = random_.one_in(9) ? reinterpret_cast<rt_hit*>(&t) : nullptr;
+        check(rt_trace_query(scene_, &desc));
     }
 
     void resolve(std::vector<rt_hit>& hits) {

@@ -28,17 +28,22 @@ TEST_F(OptionsTest, Defaults) {
     EXPECT_GE(parsed.options->threads, 1u);
     EXPECT_FALSE(parsed.options->frames);
     EXPECT_EQ(parsed.options->isa, RT_ISA_BEST);
+    EXPECT_EQ(parsed.options->structure, RT_STRUCTURE_AUTO);
+    EXPECT_EQ(parsed.options->build, RT_BUILD_BALANCED);
 }
 
 TEST_F(OptionsTest, ReadsValues) {
     const auto parsed = parse({"--size", "64x32", "--frames", "3", "--view", "depth", "--headless",
-                               "--out", "a.png", "--isa", "avx2", "--exposure", "2.5"});
+                               "--out", "a.png", "--isa", "avx2", "--exposure", "2.5",
+                               "--structure", "kdtree", "--build", "best"});
     ASSERT_TRUE(parsed.options) << parsed.text;
     EXPECT_EQ(parsed.options->width, 64u);
     EXPECT_EQ(parsed.options->height, 32u);
     EXPECT_EQ(parsed.options->frames, 3u);
     EXPECT_EQ(parsed.options->view, RT_VIEW_DEPTH);
     EXPECT_EQ(parsed.options->isa, RT_ISA_AVX2);
+    EXPECT_EQ(parsed.options->structure, RT_STRUCTURE_KDTREE);
+    EXPECT_EQ(parsed.options->build, RT_BUILD_BEST);
     EXPECT_EQ(parsed.options->exposure, 2.5f);
 }
 
@@ -53,6 +58,8 @@ TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
                                                                    {"--frames", "many"},
                                                                    {"--view", "x-ray"},
                                                                    {"--isa", "mmx"},
+                                                                   {"--structure", "octree"},
+                                                                   {"--build", "slow"},
                                                                    {"--threads", "0"},
                                                                    {"--threads", "1000"},
                                                                    {"--exposure", "0"},

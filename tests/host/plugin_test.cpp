@@ -64,8 +64,8 @@ protected:
 
     Session open() {
         upload_level(stage, level, 0.1f);
-        return Session{options, level, usable_cameras(level), 0, stage, stage.commit(nullptr), {},
-                       0,       0};
+        const rt_commit_report report = stage.commit(options.structure, options.build, nullptr);
+        return Session{options, level, usable_cameras(level), 0, stage, report, {}, 0, 0};
     }
 
     Plugin plugin;

@@ -414,11 +414,31 @@ RT_EXPORT rt_result rt_set_environment(rt_scene scene,
  * Return 0 to go on; anything else cancels. */
 typedef int32_t (*rt_progress_function)(void* user, float fraction);
 
+/* The structure that rays are traced through. It changes the speed and the memory, not the answers.
+ */
+typedef int32_t rt_structure;
+enum {
+    RT_STRUCTURE_AUTO = 0, /* what is fastest: the BVH */
+    RT_STRUCTURE_BVH = 1,
+    RT_STRUCTURE_KDTREE = 2,
+    RT_STRUCTURE_BIH = 3 /* not available in this version */
+};
+
+/* How long to build for how much speed. The kd-tree has one quality. */
+typedef int32_t rt_build_quality;
+enum {
+    RT_BUILD_BALANCED = 0,
+    RT_BUILD_FAST = 1, /* for geometry that lives a few frames */
+    RT_BUILD_BEST = 2  /* for levels that are built once */
+};
+
 typedef struct rt_commit_desc {
     uint32_t struct_size;
     float
         empty_bonus; /* 0 to 1: the SAH cost of a kd-tree split that cuts off empty space is
                         multiplied by 1 - empty_bonus (Wald and Havran 2006 use 0.2). Default 0. */
+    rt_structure structure;
+    rt_build_quality quality;
     rt_progress_function progress; /* null: none */
     void* progress_user;
 } rt_commit_desc;
@@ -465,7 +485,9 @@ typedef struct rt_commit_report {
     double build_ms;           /* wall time of the structure alone */
     double commit_ms;          /* wall time of the whole call */
     uint32_t light_count;
-    uint32_t rebuilt; /* 0: the geometry had not changed and its structure was kept */
+    uint32_t rebuilt;         /* 0: the geometry had not changed and its structure was kept */
+    rt_structure structure;   /* that was built; never AUTO */
+    rt_build_quality quality; /* as asked for */
 } rt_commit_report;
 
 static inline rt_commit_report rt_default_commit_report(void) {
@@ -479,7 +501,8 @@ static inline rt_commit_report rt_default_commit_report(void) {
  * the return sees it. Those that run on go on with the old one, which is freed later. On any
  * error the previous snapshot stays. desc and out_report may be null. Errors: INVALID_ARGUMENT (a
  * material names a removed texture), LIMIT (more than 2^27 triangles in all), OUT_OF_MEMORY,
- * CANCELLED. Thread safety: one describing thread at a time; queries and frames may run. */
+ * CANCELLED, UNSUPPORTED (RT_STRUCTURE_BIH). Thread safety: one describing thread at a time;
+ * queries and frames may run. */
 RT_EXPORT rt_result rt_commit_scene(rt_scene scene, const rt_commit_desc* desc,
                                     rt_commit_report* out_report) RT_NOEXCEPT;
 
@@ -519,32 +542,97 @@ enum {
     RT_QUERY_ALPHA_TEST = 1u << 0 /* pass through where a masked material is absent */
 };
 
+/* What the host knows of the rays of a batch. It may change the speed, never the answers. */
+typedef int32_t rt_coherence;
+enum {
+    RT_COHERENCE_AUTO = 0,
+    RT_COHERENCE_COHERENT = 1,      /* neighbours in the batch are alike */
+    RT_COHERENCE_COMMON_ORIGIN = 2, /* ... and all start at one point */
+    RT_COHERENCE_INCOHERENT = 3
+};
+
+/* A batch of rays as separate arrays, of ray_count floats each, of any alignment. Arrays that begin
+ * at a multiple of 64 bytes are read in place, others are copied on the way. */
+typedef struct rt_ray_arrays {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    const float* origin[3];
+    const float* direction[3];
+    const float* t_min; /* null: 0 */
+    const float* t_max; /* null: +infinity */
+} rt_ray_arrays;
+
+static inline rt_ray_arrays rt_default_ray_arrays(void) {
+    rt_ray_arrays arrays;
+    memset(&arrays, 0, sizeof arrays);
+    arrays.struct_size = (uint32_t)sizeof arrays;
+    return arrays;
+}
+
+/* Where to put the hits of a batch, one a ray: the fields of rt_hit. Null: not wanted. */
+typedef struct rt_hit_arrays {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    float* t;
+    float* u;
+    float* v;
+    uint32_t* triangle;
+    rt_mesh* mesh;
+    uint32_t* back_face;
+} rt_hit_arrays;
+
+static inline rt_hit_arrays rt_default_hit_arrays(void) {
+    rt_hit_arrays arrays;
+    memset(&arrays, 0, sizeof arrays);
+    arrays.struct_size = (uint32_t)sizeof arrays;
+    return arrays;
+}
+
+/* Rays come as `rays` or as `ray_arrays`, hits go to `hits` or to `hit_arrays`: one of each pair,
+ * the other null. `hits` and `hit_arrays` are for RT_QUERY_CLOSEST, `occluded` is for
+ * RT_QUERY_ANY; what the kind does not need is not looked at. */
 typedef struct rt_query_desc {
     uint32_t struct_size;
     rt_query_kind kind;
     const rt_ray* rays;
     uint64_t ray_count;     /* 0 is allowed and does nothing, also before the first commit */
-    uint32_t ray_stride;    /* bytes; 0: 32 */
-    uint32_t result_stride; /* bytes; 0: 32 for hits, 1 for occluded */
-    rt_hit* hits;           /* RT_QUERY_CLOSEST: one a ray */
-    uint8_t* occluded;      /* RT_QUERY_ANY: one a ray, 1 or 0 */
+    uint32_t ray_stride;    /* of rays, in bytes; 0: 32 */
+    uint32_t result_stride; /* of hits or occluded, in bytes; 0: 32 or 1 */
+    rt_hit* hits;           /* one a ray */
+    uint8_t* occluded;      /* one a ray, 1 or 0 */
     rt_faces faces;
     uint32_t layer_mask;
     rt_mesh ignore_mesh; /* null: none */
     uint32_t flags;      /* RT_QUERY_* bits */
-    uint32_t reserved;   /* 0 */
+    rt_coherence coherence;
+    const rt_ray_arrays* ray_arrays;
+    const rt_hit_arrays* hit_arrays;
 } rt_query_desc;
 
+/* Field by field: a query may be a few nanoseconds, and compilers turn memset and a copy into a
+ * loop and a stall. */
 static inline rt_query_desc rt_default_query_desc(void) {
-    rt_query_desc desc;
-    memset(&desc, 0, sizeof desc);
-    desc.struct_size = (uint32_t)sizeof desc;
-    desc.layer_mask = 0xffffffffu;
+    const rt_query_desc desc = {(uint32_t)sizeof(rt_query_desc),
+                                RT_QUERY_CLOSEST,
+                                0, /* rays */
+                                0,
+                                0,
+                                0,
+                                0, /* hits */
+                                0,
+                                RT_FACES_BOTH,
+                                0xffffffffu, /* layer_mask */
+                                {0, 0},
+                                0,
+                                RT_COHERENCE_AUTO,
+                                0, /* ray_arrays */
+                                0};
     return desc;
 }
 
-/* Answers one ray or a million. The answer depends on the geometry and the ray alone: not on the
- * batch, the tree, the instruction set or the number of threads. Starting on or inside a
+/* Answers one ray or a million; rays that are asked for together are traced together. The answer
+ * depends on the geometry and the ray alone: not on the batch, the tree, the instruction set or
+ * the number of threads. Results must not overlap the rays. Starting on or inside a
  * surface: hits with t >= t_min count, whatever side they are seen from. Errors: INVALID_ARGUMENT
  * (a component that is NaN, an origin beyond 1e30 in magnitude or infinite, a direction of length
  * zero or infinite; the ray is named), INVALID_HANDLE (the scene), INVALID_STRUCT, NOT_COMMITTED.
@@ -608,10 +696,16 @@ enum {
     RT_TONE_NONE = 2    /* radiance as it is; float formats only, ignores exposure */
 };
 
+/* Besides or instead of an image, a frame delivers what its primary rays see, as further planes of
+ * height rows of width elements: any of depth, triangle_ids, mesh_ids and normals that is not null.
+ * With `pixels` null nothing is shaded. A plane holds what rt_trace_query would say of the rays
+ * from the camera through the pixels' centres, with RT_QUERY_ALPHA_TEST, where double_sided
+ * materials are concerned; frames see through the backs of others. */
 typedef struct rt_frame_desc {
     uint32_t struct_size;
     rt_pixel_format format; /* RGBA8_SRGB, BGRA8_SRGB, RGBA16F or RGBA32F (these two linear) */
-    void* pixels;           /* height rows of width pixels, top row first; alpha is 1 */
+    void* pixels;           /* height rows of width pixels, top row first; alpha is 1. May be null
+                               if a plane is not. */
     uint64_t row_stride;    /* bytes; 0: tightly packed */
     uint32_t width, height; /* 1 to 16384 each */
     rt_view view;
@@ -620,6 +714,14 @@ typedef struct rt_frame_desc {
     float depth_range;   /* metres, > 0 */
     float steps_range;   /* nodes, > 0 */
     uint32_t no_shadows; /* 0 or 1; 1: lights shine through everything */
+    float* depth; /* metres along `forward`, not along the ray; +infinity where nothing is seen */
+    uint32_t* triangle_ids; /* as rt_hit.triangle */
+    rt_mesh* mesh_ids;      /* as rt_hit.mesh */
+    float* normals; /* 3 a pixel, as rt_surface.shading_normal; zeros where nothing is seen */
+    uint64_t depth_row_stride; /* these four in bytes; 0: tightly packed */
+    uint64_t triangle_row_stride;
+    uint64_t mesh_row_stride;
+    uint64_t normal_row_stride;
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {

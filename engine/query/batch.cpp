@@ -1,0 +1,199 @@
+#include "query/batch.h"
+
+#include "query/ray_loaders.h"
+#include "query/store_hit.h"
+#include "query/valid_ray.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace peregrine::query {
+namespace {
+
+constexpr uint32_t kChunk = 1024; // rays: as many as a tile of a frame
+constexpr uint32_t kPad = 16;     // to a multiple of this
+
+template <class T>
+struct alignas(64) Lane {
+    T value[kChunk];
+};
+
+constexpr Lane<float> make_constant(float value) {
+    Lane<float> lane{};
+    for (float& v : lane.value) v = value;
+    return lane;
+}
+constexpr Lane<float> kZeros = make_constant(0);
+constexpr Lane<float> kInfinities = make_constant(kInfinity);
+
+bool is_aligned(const void* address) {
+    return reinterpret_cast<uintptr_t>(address) % 64 == 0;
+}
+
+[[noreturn, gnu::cold, gnu::noinline]] void reject_first(const Rays& rays) {
+    for (uint64_t i = 0;; ++i)
+        if (const math::Ray ray = rays.load(i); !is_valid(ray)) reject(i, ray);
+}
+
+// A chunk of the host's rays as a stream: in place where its arrays allow that, else copied here.
+class Chunk {
+public:
+    // Rays that are not valid may come as records of a batch that fits one chunk: then this throws.
+    trace::RayStream load(const Rays& rays, uint64_t first, uint32_t count,
+                          const RayLoaders& loaders) {
+        const float* lanes[8];
+        rays.records ? split(rays, first, count, loaders, lanes)
+                     : place(rays.arrays, first, count, lanes);
+        return {{lanes[0], lanes[1], lanes[2]},
+                {lanes[4], lanes[5], lanes[6]},
+                lanes[RayArrays::kBegin],
+                lanes[RayArrays::kEnd],
+                count};
+    }
+
+private:
+    void split(const Rays& rays, uint64_t first, uint32_t count, const RayLoaders& loaders,
+               const float* (&lanes)[8]) {
+        float* rooms[8];
+        for (uint32_t k = 0; k < 8; ++k) lanes[k] = rooms[k] = room_[k].value;
+        if (!loaders.split(rays.records + first * rays.stride, rays.stride, count, rooms))
+            [[unlikely]]
+            reject_first(rays);
+    }
+
+    void place(const RayArrays& arrays, uint64_t first, uint32_t count, const float* (&lanes)[8]) {
+        for (uint32_t k = 0; k < 8; ++k) {
+            const float* array = arrays.array[k];
+            if (!array)
+                lanes[k] = k == RayArrays::kBegin ? kZeros.value : kInfinities.value;
+            else if (is_aligned(array) && count % kPad == 0)
+                lanes[k] = array + first;
+            else
+                lanes[k] = copy(array, first, count, room_[k].value);
+        }
+    }
+
+    static const float* copy(const float* array, uint64_t first, uint32_t count, float* room) {
+        std::memcpy(room, reinterpret_cast<const std::byte*>(array) + first * sizeof *array,
+                    count * sizeof *array);
+        const uint32_t padded = (count + kPad - 1) / kPad * kPad;
+        std::fill(room + count, room + padded, room[count - 1]);
+        return room;
+    }
+
+    Lane<float> room_[8];
+};
+
+// Room for a chunk's hits, and their way to the host.
+class HitChunk {
+public:
+    explicit HitChunk(const scene::Snapshot& snapshot) : names_(snapshot) {}
+
+    // Where the kernel is to put them: in the host's arrays where they allow that.
+    trace::HitStream begin(const Hits& hits, uint64_t first, uint32_t count) {
+        const bool whole = count % kPad == 0 && !hits.records;
+        const auto choose = [&](auto* array, auto& room) {
+            return whole && array && is_aligned(array) ? array + first : room.value;
+        };
+        const HitArrays& arrays = hits.arrays;
+        stream_ = {choose(arrays.t, t_),
+                   choose(arrays.u, u_),
+                   choose(arrays.v, v_),
+                   triangle_.value,
+                   choose(arrays.back_face, back_face_),
+                   nullptr};
+        return stream_;
+    }
+
+    void end(const Hits& hits, uint64_t first, uint32_t count) const {
+        hits.records ? store_records(hits, first, count) : store_arrays(hits.arrays, first, count);
+    }
+
+private:
+    void store_records(const Hits& hits, uint64_t first, uint32_t count) const {
+        std::byte* place = hits.records + first * hits.stride;
+        for (uint32_t i = 0; i < count; ++i, place += hits.stride)
+            store_hit(t_.value[i], u_.value[i], v_.value[i], names_.of(triangle_.value[i]),
+                      back_face_.value[i], place);
+    }
+
+    void store_arrays(const HitArrays& arrays, uint64_t first, uint32_t count) const {
+        const auto copy = [&](const auto* from, auto* array) {
+            if (array && from != array + first)
+                std::memcpy(reinterpret_cast<std::byte*>(array) + first * sizeof *array, from,
+                            count * sizeof *array);
+        };
+        copy(stream_.t, arrays.t);
+        copy(stream_.u, arrays.u);
+        copy(stream_.v, arrays.v);
+        copy(stream_.back_face, arrays.back_face);
+        if (arrays.triangle)
+            for (uint32_t i = 0; i < count; ++i)
+                store_element(arrays.triangle, first + i, names_.of(triangle_.value[i]).triangle);
+        if (arrays.mesh)
+            for (uint32_t i = 0; i < count; ++i)
+                store_element(arrays.mesh, first + i, names_.of(triangle_.value[i]).mesh);
+    }
+
+    HitNames names_;
+    trace::HitStream stream_;
+    Lane<float> t_, u_, v_;
+    Lane<uint32_t> triangle_, back_face_;
+};
+
+// Records that fit one chunk are checked on the way into it; of more of them, and of arrays, all
+// are looked at before the first result is written.
+void check(const Rays& rays, const RayLoaders& loaders) {
+    if (rays.records && rays.count <= kChunk) return;
+    const bool valid = rays.records ? loaders.check_records(rays.records, rays.stride, rays.count)
+                                    : loaders.check_arrays(rays.arrays, rays.count);
+    if (!valid) [[unlikely]]
+        reject_first(rays);
+}
+
+// Calls trace(stream, first, count) chunk after chunk.
+template <class Trace>
+void for_each_chunk(const scene::Snapshot& snapshot, const Rays& rays, trace::Coherence coherence,
+                    Trace&& trace) {
+    const RayLoaders& loaders = ray_loaders(snapshot.kernels->isa);
+    check(rays, loaders);
+    Chunk chunk;
+    for (uint64_t first = 0; first < rays.count; first += kChunk) {
+        const auto count = uint32_t(std::min<uint64_t>(rays.count - first, kChunk));
+        trace::RayStream stream = chunk.load(rays, first, count, loaders);
+        stream.coherence = coherence;
+        trace(stream, first, count);
+    }
+}
+
+} // namespace
+
+void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
+                   trace::Coherence coherence, const Hits& hits) {
+    HitChunk chunk(snapshot);
+    for_each_chunk(snapshot, rays, coherence,
+                   [&](const trace::RayStream& stream, uint64_t first, uint32_t count) {
+                       snapshot.kernels->closest_stream(snapshot.target, stream, filter,
+                                                        chunk.begin(hits, first, count));
+                       chunk.end(hits, first, count);
+                   });
+}
+
+void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
+                     trace::Coherence coherence, const Strided<uint8_t>& occluded) {
+    Lane<uint8_t> room;
+    for_each_chunk(snapshot, rays, coherence,
+                   [&](const trace::RayStream& stream, uint64_t first, uint32_t count) {
+                       snapshot.kernels->occluded_stream(snapshot.target, stream, filter,
+                                                         room.value);
+                       std::byte* place = occluded.data + first * occluded.stride;
+                       if (occluded.stride == 1) {
+                           std::memcpy(place, room.value, count);
+                           return;
+                       }
+                       for (uint32_t i = 0; i < count; ++i, place += occluded.stride)
+                           *place = std::byte(room.value[i]);
+                   });
+}
+
+} // namespace peregrine::query

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "base/slot_map.h"
+#include "math/ray.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+// How rays come from the host and hits go to it.
+namespace peregrine::query {
+
+// Records of the host, `stride` bytes apart, aligned as they may be.
+template <class Record>
+struct Strided {
+    std::byte* data;
+    uint64_t count;
+    uint32_t stride;
+
+    Record load(uint64_t i) const {
+        Record record;
+        std::memcpy(&record, data + i * stride, sizeof record);
+        return record;
+    }
+    void store(uint64_t i, const Record& record) const {
+        std::memcpy(data + i * stride, &record, sizeof record);
+    }
+};
+
+// Element i of an array of the host, aligned as it may be.
+template <class T>
+T load_element(const T* array, uint64_t i) {
+    T value;
+    std::memcpy(&value, reinterpret_cast<const std::byte*>(array) + i * sizeof value, sizeof value);
+    return value;
+}
+
+template <class T>
+void store_element(T* array, uint64_t i, const T& value) {
+    std::memcpy(reinterpret_cast<std::byte*>(array) + i * sizeof value, &value, sizeof value);
+}
+
+// Rays as separate arrays, in the order of math::Ray's members.
+struct RayArrays {
+    static constexpr uint32_t kBegin = 3, kEnd = 7;
+
+    const float* array[8]; // origin, t_min, direction, t_max; a null t_min is 0, t_max infinity
+
+    math::Ray load(uint64_t i) const {
+        const auto at = [&](uint32_t k) { return load_element(array[k], i); };
+        return {{at(0), at(1), at(2)},
+                array[kBegin] ? at(kBegin) : 0.0f,
+                {at(4), at(5), at(6)},
+                array[kEnd] ? at(kEnd) : std::numeric_limits<float>::infinity()};
+    }
+};
+
+// The rays of a query, in one form or the other.
+struct Rays {
+    uint64_t count;
+    const std::byte* records; // null: arrays
+    uint32_t stride;
+    RayArrays arrays;
+
+    math::Ray load(uint64_t i) const {
+        if (!records) return arrays.load(i);
+        math::Ray ray;
+        std::memcpy(&ray, records + i * stride, sizeof ray);
+        return ray;
+    }
+};
+
+// A hit as it leaves the library: the layout of rt_hit.
+struct Hit {
+    float t, u, v;
+    uint32_t triangle; // the host's own index; kNoTriangle for a miss
+    base::Handle mesh;
+    uint32_t instance;
+    uint32_t back_face;
+};
+static_assert(sizeof(Hit) == 32);
+
+// Hits as separate arrays; null: not wanted.
+struct HitArrays {
+    float* t;
+    float* u;
+    float* v;
+    uint32_t* triangle;
+    base::Handle* mesh;
+    uint32_t* back_face;
+};
+
+// Where the hits of a query go, in one form or the other.
+struct Hits {
+    std::byte* records; // null: arrays
+    uint32_t stride;
+    HitArrays arrays;
+};
+
+} // namespace peregrine::query

@@ -1,0 +1,85 @@
+#include "render/visibility.h"
+
+#include "query/store_hit.h"
+#include "query/surface.h"
+
+#include <cstring>
+
+namespace peregrine::render {
+namespace {
+
+// Values in the order of the tile's rays to their places in the plane.
+template <class Element>
+void write(const Plane& plane, const Tile& tile, const Element* values) {
+    std::byte* const corner = static_cast<std::byte*>(plane.data) + tile.y0 * plane.row_stride
+                              + tile.x0 * sizeof(Element);
+    const auto copy = [&](uint32_t i, size_t size) {
+        std::memcpy(corner + tile.y[i] * plane.row_stride + tile.x[i] * sizeof(Element), values + i,
+                    size);
+    };
+    if (tile.count == kTileRays) // then rays 2i and 2i + 1 are neighbours in a row
+        for (uint32_t i = 0; i < kTileRays; i += 2) copy(i, 2 * sizeof(Element));
+    else
+        for (uint32_t i = 0; i < tile.count; ++i) copy(i, sizeof(Element));
+}
+
+struct TileIds {
+    uint32_t triangle[kTileRays];
+    base::Handle mesh[kTileRays];
+
+    TileIds(const scene::Snapshot& snapshot, const uint32_t* triangles, uint32_t count) {
+        const query::HitNames names(snapshot);
+        for (uint32_t i = 0; i < count; ++i) {
+            const query::HitIds ids = names.of(triangles[i]);
+            triangle[i] = ids.triangle;
+            mesh[i] = ids.mesh;
+        }
+    }
+};
+
+struct Normal {
+    float c[3];
+};
+
+struct TileNormals {
+    Normal normal[kTileRays];
+
+    // Neighbours often see the same triangle; a flat one has the same normal for all of them.
+    TileNormals(const scene::Snapshot& snapshot, const TileHits& hits, uint32_t count) {
+        uint32_t flat = geometry::kNoTriangle;
+        Normal flat_normal = {};
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t triangle = hits.triangle[i];
+            if (triangle == geometry::kNoTriangle) {
+                normal[i] = {};
+            } else if (triangle == flat) {
+                normal[i] = flat_normal;
+            } else {
+                const geometry::TriangleInfo info = snapshot.target.infos[triangle];
+                const scene::MeshData& mesh = *snapshot.meshes[info.mesh].data;
+                const math::Vec3 n =
+                    query::shading_normal(mesh, info.primitive, hits.u[i], hits.v[i]);
+                normal[i] = {{n.x, n.y, n.z}};
+                if (!mesh.normals.empty()) continue;
+                flat = triangle;
+                flat_normal = normal[i];
+            }
+        }
+    }
+};
+
+} // namespace
+
+void write_planes(const scene::Snapshot& snapshot, const Frame& frame, const Tile& tile,
+                  const TileHits& hits) {
+    if (frame.depth.data) write(frame.depth, tile, hits.t);
+    if (frame.triangle_ids.data || frame.mesh_ids.data) {
+        const TileIds ids(snapshot, hits.triangle, tile.count);
+        if (frame.triangle_ids.data) write(frame.triangle_ids, tile, ids.triangle);
+        if (frame.mesh_ids.data) write(frame.mesh_ids, tile, ids.mesh);
+    }
+    if (frame.normals.data)
+        write(frame.normals, tile, TileNormals(snapshot, hits, tile.count).normal);
+}
+
+} // namespace peregrine::render
