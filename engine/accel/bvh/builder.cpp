@@ -48,9 +48,8 @@ Extent make_references(std::span<const geometry::Triangle> triangles, base::Sche
 }
 
 // Level by level, until ranges are small enough to be built by one thread each.
-void build_top(const Task& task, std::span<Reference> references, const Range& root,
-               base::Scheduler& scheduler, base::Vector<BinaryNode>& nodes,
-               base::Vector<Subtree>& subtrees) {
+void build_top(const Task& task, Arena& arena, const Range& root, base::Scheduler& scheduler,
+               base::Vector<BinaryNode>& nodes, base::Vector<Subtree>& subtrees) {
     const uint32_t subtree_size = std::max(kMinSubtreeSize, root.size() / kSubtreesWanted);
     struct Item {
         uint32_t node;
@@ -69,8 +68,7 @@ void build_top(const Task& task, std::span<Reference> references, const Range& r
     while (!level.empty()) {
         if (task.control.report(0.1f)) return;
         scheduler.for_each(uint32_t(level.size()), [&](uint32_t i) {
-            split_range(task, references, level[i].range, level[i].children[0],
-                        level[i].children[1]);
+            split_range(task, arena, level[i].range, level[i].children[0], level[i].children[1]);
         });
         base::Vector<Item> next(task.memory);
         for (const Item& item : level) {
@@ -86,8 +84,8 @@ void build_top(const Task& task, std::span<Reference> references, const Range& r
     }
 }
 
-void build_subtrees(const Task& task, std::span<Reference> references,
-                    base::Vector<Subtree>& subtrees, base::Scheduler& scheduler) {
+void build_subtrees(const Task& task, Arena& arena, base::Vector<Subtree>& subtrees,
+                    base::Scheduler& scheduler) {
     uint64_t work = 0;
     for (const Subtree& subtree : subtrees) work += subtree.range.size();
     task.control.expect(work, 0.2f);
@@ -101,7 +99,7 @@ void build_subtrees(const Task& task, std::span<Reference> references,
     scheduler.for_each(uint32_t(subtrees.size()), [&](uint32_t i) {
         if (task.control.cancelled()) return;
         Subtree& subtree = subtrees[order[i]];
-        build_subtree(task, references, subtree.range, subtree.nodes);
+        build_subtree(task, arena, subtree.range, subtree.nodes);
         task.control.finish(subtree.range.size());
     });
 }
@@ -125,8 +123,15 @@ void join(base::Vector<BinaryNode>& nodes, base::Vector<Subtree>& subtrees) {
     }
 }
 
-uint32_t bins_for(Quality quality) {
-    return quality == Quality::best ? kMaxBins : 16;
+Effort effort_for(Quality quality) {
+    switch (quality) {
+    case Quality::fast:
+        return {16, 0, 0, 0};
+    case Quality::best:
+        return {32, 32, 0.25, 1e-6f};
+    default:
+        return {16, 16, 0.25, 1e-5f};
+    }
 }
 
 } // namespace
@@ -139,27 +144,29 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
                    static_cast<unsigned long long>(kMaxTriangles),
                    static_cast<unsigned long long>(triangles.size()));
     Control control(progress);
-    const Task task{triangles.data(), options, bins_for(options.quality), control, memory};
+    Task task{triangles.data(), options, effort_for(options.quality), control, memory};
     Tree tree(memory);
     if (control.report(0)) control.throw_if_cancelled();
     if (triangles.empty()) return tree;
 
-    kdtree::Buffer<Reference> buffer(memory);
-    buffer.allocate(triangles.size());
-    const std::span<Reference> references(buffer.data(), triangles.size());
-    Range root{0, uint32_t(triangles.size()), 0, {}};
-    root.extent = make_references(triangles, scheduler, memory, buffer.data());
+    const uint32_t count = uint32_t(triangles.size());
+    Arena arena(count + uint32_t(double(count) * task.effort.duplicates), memory);
+    Range root{0, count, 0, arena.capacity(), 0, {}};
+    root.extent = make_references(triangles, scheduler, memory, arena.data());
     tree.bounds = root.extent.bounds.box();
+    task.root_scale = scale_of(root.extent.bounds);
+    task.root_area =
+        half_area((root.extent.bounds.upper - root.extent.bounds.lower) * task.root_scale);
 
     base::Vector<BinaryNode> binary(memory);
     base::Vector<Subtree> subtrees(memory);
-    build_top(task, references, root, scheduler, binary, subtrees);
+    build_top(task, arena, root, scheduler, binary, subtrees);
     control.throw_if_cancelled();
-    build_subtrees(task, references, subtrees, scheduler);
+    build_subtrees(task, arena, subtrees, scheduler);
     control.throw_if_cancelled();
     join(binary, subtrees);
     const WideTree wide = collapse(task, binary);
-    emit(task, binary, references, wide, scheduler, tree);
+    emit(task, binary, arena.data(), wide, scheduler, tree);
 
     tree.report.sah_cost = wide.cost;
     tree.report.max_depth = wide.depth;

@@ -13,8 +13,8 @@ struct Leaf {
     uint32_t count = 0;
 };
 
-void gather(const base::Vector<BinaryNode>& binary, std::span<const Reference> references,
-            uint32_t index, Leaf& leaf) {
+void gather(const base::Vector<BinaryNode>& binary, const Reference* references, uint32_t index,
+            Leaf& leaf) {
     const BinaryNode& node = binary[index];
     if (!node.is_leaf()) {
         gather(binary, references, node.first, leaf);
@@ -76,9 +76,8 @@ void write_node(const base::Vector<BinaryNode>& binary, const WideNode& wide, No
 
 } // namespace
 
-void emit(const Task& task, const base::Vector<BinaryNode>& binary,
-          std::span<const Reference> references, const WideTree& wide, base::Scheduler& scheduler,
-          Tree& tree) {
+void emit(const Task& task, const base::Vector<BinaryNode>& binary, const Reference* references,
+          const WideTree& wide, base::Scheduler& scheduler, Tree& tree) {
     tree.nodes.resize(wide.nodes.size());
     tree.blocks.resize(wide.blocks);
     const uint32_t count = uint32_t(wide.nodes.size());

@@ -2,6 +2,7 @@
 
 #include "accel/bvh/reference.h"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -25,10 +26,18 @@ Extent extent_of(std::span<const Reference> references);
 struct Split {
     float cost = std::numeric_limits<float>::infinity();
     uint32_t axis = 0;
-    uint32_t bin = 0; // the first on the right
+    uint32_t bin = 0;   // the first on the right
+    Floats common = {}; // size of what the children's boxes have in common
 
     bool found() const { return cost < std::numeric_limits<float>::infinity(); }
 };
+
+// So that no area overflows, nor vanishes.
+inline float scale_of(const Bounds& bounds) {
+    const Floats size = bounds.upper - bounds.lower;
+    const float largest = std::max(std::max(size[0], size[1]), size[2]);
+    return largest > 0 ? std::min(1 / largest, std::numeric_limits<float>::max()) : 0;
+}
 
 inline float blocks_of(uint32_t count) {
     return float((count + 3) / 4);
