@@ -39,8 +39,10 @@ inline float scale_of(const Bounds& bounds) {
     return largest > 0 ? std::min(1 / largest, std::numeric_limits<float>::max()) : 0;
 }
 
+// What the heuristic counts for a child. Begun blocks alone would have it fill blocks at any price,
+// while leaves can still be joined later.
 inline float blocks_of(uint32_t count) {
-    return float((count + 3) / 4);
+    return 0.75f * float((count + 3) / 4) + 0.0625f * float(count);
 }
 
 // Which bin a centre is in, on each axis.
@@ -64,7 +66,7 @@ private:
     Floats last_ = {};
 };
 
-inline constexpr uint32_t kMaxBins = 32;
+inline constexpr uint32_t kMaxBins = 64;
 
 Split find_split(std::span<const Reference> references, const Extent& extent, uint32_t bins);
 

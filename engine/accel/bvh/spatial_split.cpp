@@ -27,6 +27,7 @@ struct Planes {
 
 struct SpatialBins {
     Bounds bounds[kMaxSpatialBins];
+    Bounds parts[kMaxSpatialBins]; // of one triangle
     uint32_t entries[kMaxSpatialBins];
     uint32_t exits[kMaxSpatialBins];
 };
@@ -60,6 +61,7 @@ void chop(const geometry::Triangle& triangle, int axis, const Planes& planes, in
 
 void fill(const geometry::Triangle* triangles, std::span<const Reference> references, int axis,
           const Planes& planes, SpatialBins& bins) {
+    Bounds* const parts = bins.parts;
     for (int i = 0; i < planes.bins; ++i) bins.bounds[i] = {}, bins.entries[i] = bins.exits[i] = 0;
     for (const Reference& reference : references) {
         const int first = planes.bin(reference.lower[axis]);
@@ -71,7 +73,7 @@ void fill(const geometry::Triangle* triangles, std::span<const Reference> refere
             bins.bounds[first].extend(whole);
             continue;
         }
-        Bounds parts[kMaxSpatialBins];
+        std::fill(parts + first, parts + last + 1, Bounds());
         chop(triangles[reference.triangle()], axis, planes, first, last, parts);
         for (int i = first; i <= last; ++i) {
             bins.bounds[i].lower = min(bins.bounds[i].lower, max(parts[i].lower, whole.lower));

@@ -8,7 +8,7 @@
 
 namespace peregrine::accel::bvh {
 
-inline constexpr uint32_t kMaxSpatialBins = 32;
+inline constexpr uint32_t kMaxSpatialBins = 64;
 
 // A plane that cuts triangles (Stich, Friedrich and Dietrich 2009, section 4).
 struct SpatialSplit {
