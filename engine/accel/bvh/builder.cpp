@@ -3,6 +3,7 @@
 #include "accel/bvh/collapse.h"
 #include "accel/bvh/effort.h"
 #include "accel/bvh/emit.h"
+#include "accel/bvh/reinsertion.h"
 #include "accel/bvh/subtree.h"
 #include "accel/bvh/top_levels.h"
 
@@ -137,7 +138,8 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
     task.least_overlap =
         kOverlapOfRoot / float(count) * half_area((bounds.upper - bounds.lower) * task.root_scale);
 
-    const BinaryTree binary = build_binary(task, arena, root, scheduler);
+    BinaryTree binary = build_binary(task, arena, root, scheduler);
+    reinsert(task, scheduler, binary);
     const WideTree wide = make_wide(task, options, binary, count, scheduler);
     if (wide.blocks > kMaxBlocks)
         base::fail(base::Code::limit, "the BVH would have more than %llu blocks of triangles",

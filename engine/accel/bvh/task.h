@@ -21,6 +21,7 @@ struct Effort {
     uint32_t spatial_bins; // 0: no spatial splits
     uint32_t treelet;      // references, from which on every plane is tried
     uint32_t binary_leaf;  // references; the collapse joins leaves where that is cheaper
+    uint32_t reinsertions; // rounds
     double duplicates;     // room for them, as a part of the triangles
     double bytes;          // wanted, per triangle
 };
