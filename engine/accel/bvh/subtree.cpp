@@ -27,8 +27,8 @@ uint32_t bins_for(const Task& task, uint32_t references) {
 }
 
 bool wants_spatial_split(const Task& task, const Range& range, const Split& split) {
-    if (task.effort.spatial_bins == 0 || range.spare() == 0) return false;
-    if (!split.found()) return true;
+    if (task.effort.spatial_bins == 0 || range.spare() * 32 < range.size()) return false;
+    if (!split.found()) return false; // triangles on top of each other
     const Bounds& own = range.extent.bounds;
     const float overlap = half_area(split.common * task.root_scale);
     return overlap > task.least_overlap
