@@ -339,11 +339,11 @@ TEST(BvhBuilder, PlanesInPlanes) {
 TEST(BvhBuilder, CoincidentTrianglesBuildQuickly) {
     Triangles triangles(1000000, make({0, 0, 0}, {1, 0, 0.5f}, {0, 1, 1}));
     EXPECT_EQ(build_with(triangles, 2).report.references, triangles.size());
-    triangles.assign(100000, make({4, 4, 4}, {5, 4, 4}, {4, 5, 4}));
+    triangles.assign(2000, make({4, 4, 4}, {5, 4, 4}, {4, 5, 4}));
     triangles.push_back(make({0, 0, 0}, {10, 0, 0}, {0, 10, 0}));
     triangles.push_back(make({0, 0, 9}, {10, 0, 9}, {0, 10, 9}));
     expect_good(triangles, 0);
-    EXPECT_LT(build_with(triangles, 1).report.references, 110000u);
+    EXPECT_LT(build_with(triangles, 1).report.references, 2200u);
 }
 
 TEST(BvhBuilder, HugeAndTinyCoordinates) {

@@ -7,12 +7,12 @@
 
 namespace peregrine::accel::bvh {
 
-// What is built first and made wide later. An inner node's children come after it.
+// What is built first and made wide later.
 struct BinaryNode {
     static constexpr uint32_t kLeaf = 0x80000000u;
 
     float lower[3];
-    uint32_t first; // left child, or first reference
+    uint32_t first; // left child, or first reference in the arena
     float upper[3];
     uint32_t second; // right child, or number of references with kLeaf
 
@@ -25,10 +25,27 @@ struct BinaryNode {
             upper[axis] = bounds.upper[axis];
         }
     }
-    math::Box box() const {
-        return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
+    Bounds bounds() const {
+        return {Floats{lower[0], lower[1], lower[2], 0}, Floats{upper[0], upper[1], upper[2], 0}};
     }
 };
 static_assert(sizeof(BinaryNode) == 32);
+
+// Node 0 is the root, and children come after their parents. The nodes up to the first part's begin
+// are its top; a part's nodes have all their children in the same part, so that threads can work on
+// parts without each other.
+struct BinaryTree {
+    struct Part {
+        uint32_t begin;
+        uint32_t end;
+    };
+
+    explicit BinaryTree(base::Memory* memory) : nodes(memory), parts(memory) {}
+
+    uint32_t top() const { return parts.empty() ? uint32_t(nodes.size()) : parts[0].begin; }
+
+    base::Vector<BinaryNode> nodes;
+    base::Vector<Part> parts;
+};
 
 } // namespace peregrine::accel::bvh

@@ -1,9 +1,11 @@
 #include "accel/bvh/builder.h"
 
 #include "accel/bvh/collapse.h"
+#include "accel/bvh/effort.h"
 #include "accel/bvh/emit.h"
+#include "accel/bvh/reinsertion.h"
 #include "accel/bvh/subtree.h"
-#include "accel/kdtree/buffer.h"
+#include "accel/bvh/top_levels.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,18 +13,8 @@
 namespace peregrine::accel::bvh {
 namespace {
 
-constexpr uint32_t kMinSubtreeSize = 1024;
-constexpr uint32_t kSubtreesWanted = 64;
 constexpr uint32_t kTrianglesPerTask = 16384;
-
-struct Subtree {
-    Subtree(uint32_t parent_node, const Range& all, base::Memory* memory)
-        : node(parent_node), range(all), nodes(memory) {}
-
-    uint32_t node; // among the top nodes
-    Range range;
-    base::Vector<BinaryNode> nodes;
-};
+constexpr uint64_t kMaxBlocks = uint64_t(1) << 26; // as a link can say
 
 Extent make_references(std::span<const geometry::Triangle> triangles, base::Scheduler& scheduler,
                        base::Memory* memory, Reference* references) {
@@ -31,13 +23,15 @@ Extent make_references(std::span<const geometry::Triangle> triangles, base::Sche
     scheduler.for_each(tasks, [&](uint32_t task) {
         const uint32_t end =
             uint32_t(std::min<size_t>(triangles.size(), size_t(task + 1) * kTrianglesPerTask));
+        Extent extent;
         for (uint32_t i = task * kTrianglesPerTask; i < end; ++i) {
             Bounds bounds;
             for (const math::Vec3* v : {&triangles[i].v0, &triangles[i].v1, &triangles[i].v2})
-                bounds.extend(Floats{v->x, v->y, v->z, 0});
+                bounds.extend(load(*v));
             references[i] = Reference::make(i, bounds);
-            extents[task].extend(references[i]);
+            extent.extend(references[i]);
         }
+        extents[task] = extent;
     });
     Extent extent;
     for (const Extent& part : extents) {
@@ -47,52 +41,16 @@ Extent make_references(std::span<const geometry::Triangle> triangles, base::Sche
     return extent;
 }
 
-// Level by level, until ranges are small enough to be built by one thread each.
-void build_top(const Task& task, std::span<Reference> references, const Range& root,
-               base::Scheduler& scheduler, base::Vector<BinaryNode>& nodes,
-               base::Vector<Subtree>& subtrees) {
-    const uint32_t subtree_size = std::max(kMinSubtreeSize, root.size() / kSubtreesWanted);
-    struct Item {
-        uint32_t node;
-        Range range;
-        Range children[2];
-    };
-    base::Vector<Item> level(task.memory);
-    const auto add = [&](uint32_t node, const Range& range, base::Vector<Item>& to) {
-        if (range.size() > subtree_size)
-            to.push_back({node, range, {}});
-        else
-            subtrees.emplace_back(node, range, task.memory);
-    };
-    nodes.emplace_back();
-    add(0, root, level);
-    while (!level.empty()) {
-        if (task.control.report(0.1f)) return;
-        scheduler.for_each(uint32_t(level.size()), [&](uint32_t i) {
-            split_range(task, references, level[i].range, level[i].children[0],
-                        level[i].children[1]);
-        });
-        base::Vector<Item> next(task.memory);
-        for (const Item& item : level) {
-            const uint32_t left = uint32_t(nodes.size());
-            nodes.resize(nodes.size() + 2);
-            nodes[item.node].set_bounds(item.range.extent.bounds);
-            nodes[item.node].first = left;
-            nodes[item.node].second = left + 1;
-            add(left, item.children[0], next);
-            add(left + 1, item.children[1], next);
-        }
-        level = std::move(next);
-    }
-}
-
-void build_subtrees(const Task& task, std::span<Reference> references,
-                    base::Vector<Subtree>& subtrees, base::Scheduler& scheduler) {
+// Large ones first, so that no thread is left with one at the end.
+void build_subtrees(const Task& task, Arena& arena, base::Vector<Subtree>& subtrees,
+                    base::Scheduler& scheduler) {
     uint64_t work = 0;
-    for (const Subtree& subtree : subtrees) work += subtree.range.size();
-    task.control.expect(work, 0.2f);
     base::Vector<uint32_t> order(task.memory);
-    for (uint32_t i = 0; i < subtrees.size(); ++i) order.push_back(i);
+    for (uint32_t i = 0; i < subtrees.size(); ++i) {
+        work += subtrees[i].range.size();
+        order.push_back(i);
+    }
+    task.control.expect(work, kShareOfTop);
     std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
         const uint32_t size_a = subtrees[a].range.size();
         const uint32_t size_b = subtrees[b].range.size();
@@ -101,32 +59,58 @@ void build_subtrees(const Task& task, std::span<Reference> references,
     scheduler.for_each(uint32_t(subtrees.size()), [&](uint32_t i) {
         if (task.control.cancelled()) return;
         Subtree& subtree = subtrees[order[i]];
-        build_subtree(task, references, subtree.range, subtree.nodes);
+        build_subtree(task, arena, subtree.range, subtree.nodes);
         task.control.finish(subtree.range.size());
     });
+    task.control.throw_if_cancelled();
 }
 
-// Puts a subtree's root in the place that the top nodes have for it, the rest at the end.
-void join(base::Vector<BinaryNode>& nodes, base::Vector<Subtree>& subtrees) {
-    size_t total = nodes.size();
+// A subtree's root goes where the top nodes have room for it, the rest to the end.
+void join(base::Vector<Subtree>& subtrees, BinaryTree& tree) {
+    size_t total = tree.nodes.size();
     for (const Subtree& subtree : subtrees) total += subtree.nodes.size() - 1;
-    nodes.reserve(total);
+    tree.nodes.reserve(total);
     for (Subtree& subtree : subtrees) {
-        const uint32_t offset = uint32_t(nodes.size()) - 1;
+        const uint32_t begin = uint32_t(tree.nodes.size());
         for (BinaryNode& node : subtree.nodes) {
             if (node.is_leaf()) continue;
-            node.first += offset;
-            node.second += offset;
+            node.first += begin - 1;
+            node.second += begin - 1;
         }
-        nodes[subtree.node] = subtree.nodes[0];
-        nodes.insert(nodes.end(), subtree.nodes.begin() + 1, subtree.nodes.end());
-        subtree.nodes.clear();
-        subtree.nodes.shrink_to_fit();
+        tree.nodes[subtree.node] = subtree.nodes[0];
+        tree.nodes.insert(tree.nodes.end(), subtree.nodes.begin() + 1, subtree.nodes.end());
+        tree.parts.push_back({begin, uint32_t(tree.nodes.size())});
+        base::Vector<BinaryNode>(tree.nodes.get_allocator()).swap(subtree.nodes);
     }
 }
 
-uint32_t bins_for(Quality quality) {
-    return quality == Quality::best ? kMaxBins : 16;
+BinaryTree build_binary(const Task& task, Arena& arena, const Range& root,
+                        base::Scheduler& scheduler) {
+    BinaryTree tree(task.memory);
+    base::Vector<Subtree> subtrees(task.memory);
+    build_top(task, arena, root, scheduler, tree.nodes, subtrees);
+    task.control.throw_if_cancelled();
+    build_subtrees(task, arena, subtrees, scheduler);
+    join(subtrees, tree);
+    return tree;
+}
+
+// With the smallest of some penalties for memory that is enough.
+WideTree make_wide(const Task& task, const BuildOptions& options, const BinaryTree& binary,
+                   uint32_t triangles, base::Scheduler& scheduler) {
+    constexpr float kPenalties[] = {0.25f, 0.75f, 2, 6};
+    const double most_bytes = task.effort.bytes * triangles;
+    for (float penalty : kPenalties) {
+        const WideCosts costs{options.traversal_cost, options.intersection_cost,
+                              penalty * options.intersection_cost * kBlockWidth / float(triangles)};
+        Choices choices(binary, costs, task.memory);
+        choices.compute(scheduler);
+        WideTree wide = collapse(binary, choices, costs, task.memory);
+        const double bytes =
+            double(wide.nodes.size()) * sizeof(Node) + double(wide.blocks) * sizeof(Block);
+        if (bytes <= most_bytes || penalty == kPenalties[3]) return wide;
+    }
+    base::fail(base::Code::internal, "a BVH was not made wide");
 }
 
 } // namespace
@@ -139,27 +123,28 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
                    static_cast<unsigned long long>(kMaxTriangles),
                    static_cast<unsigned long long>(triangles.size()));
     Control control(progress);
-    const Task task{triangles.data(), options, bins_for(options.quality), control, memory};
+    Task task{triangles.data(), effort_for(options.quality), control, memory};
     Tree tree(memory);
     if (control.report(0)) control.throw_if_cancelled();
     if (triangles.empty()) return tree;
 
-    kdtree::Buffer<Reference> buffer(memory);
-    buffer.allocate(triangles.size());
-    const std::span<Reference> references(buffer.data(), triangles.size());
-    Range root{0, uint32_t(triangles.size()), 0, {}};
-    root.extent = make_references(triangles, scheduler, memory, buffer.data());
-    tree.bounds = root.extent.bounds.box();
+    const uint32_t count = uint32_t(triangles.size());
+    Arena arena(count + uint32_t(double(count) * task.effort.duplicates), memory);
+    Range root{0, count, 0, arena.capacity(), 0, {}};
+    root.extent = make_references(triangles, scheduler, memory, arena.data());
+    const Bounds& bounds = root.extent.bounds;
+    tree.bounds = bounds.box();
+    task.root_scale = scale_of(bounds);
+    task.least_overlap =
+        kOverlapOfRoot / float(count) * half_area((bounds.upper - bounds.lower) * task.root_scale);
 
-    base::Vector<BinaryNode> binary(memory);
-    base::Vector<Subtree> subtrees(memory);
-    build_top(task, references, root, scheduler, binary, subtrees);
-    control.throw_if_cancelled();
-    build_subtrees(task, references, subtrees, scheduler);
-    control.throw_if_cancelled();
-    join(binary, subtrees);
-    const WideTree wide = collapse(task, binary);
-    emit(task, binary, references, wide, scheduler, tree);
+    BinaryTree binary = build_binary(task, arena, root, scheduler);
+    reinsert(task, scheduler, binary);
+    const WideTree wide = make_wide(task, options, binary, count, scheduler);
+    if (wide.blocks > kMaxBlocks)
+        base::fail(base::Code::limit, "the BVH would have more than %llu blocks of triangles",
+                   static_cast<unsigned long long>(kMaxBlocks));
+    emit(task, binary, arena.data(), wide, scheduler, tree);
 
     tree.report.sah_cost = wide.cost;
     tree.report.max_depth = wide.depth;

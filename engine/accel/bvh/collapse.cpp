@@ -2,166 +2,107 @@
 
 #include "base/error.h"
 
-#include <algorithm>
-#include <limits>
+#include <utility>
 
 namespace peregrine::accel::bvh {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-// Of a subtree: cost[i] is the least for at most i + 1 roots (Ylitie et al. 2017, section 3.1, who
-// call it C(n, i + 1)).
-struct Choice {
-    float cost[kWidth - 1];
-    uint8_t references; // or 255, if there are more
-    uint8_t height;
-    uint16_t unused;
-
-    float of(uint32_t roots) const { return cost[std::min(roots, kWidth - 1) - 1]; }
-};
+constexpr uint32_t kLevels = 3; // of binary nodes that fit in a wide one
+static_assert(1u << kLevels == kWidth);
 
 class Collapse {
 public:
-    Collapse(const Task& task, const base::Vector<BinaryNode>& nodes)
-        : task_(task), nodes_(nodes), choices_(nodes.size(), task.memory), wide_(task.memory) {
-        const double area = math::half_area(nodes[0].box());
-        scale_ = area > 0 ? 1 / area : 0;
-    }
+    Collapse(const BinaryTree& tree, const Choices& choices, const WideCosts& costs,
+             base::Memory* memory)
+        : nodes_(tree.nodes), choices_(choices), costs_(costs), wide_(memory) {}
 
     WideTree run() {
-        for (uint32_t i = uint32_t(nodes_.size()); i-- > 0;) decide(i);
-        wide_.cost = double(choices_[0].cost[0]);
-        add_wide(0, 0);
+        add(0, 1);
         return std::move(wide_);
     }
 
 private:
-    float area(uint32_t node) const { return float(math::half_area(nodes_[node].box()) * scale_); }
-
-    void decide(uint32_t index) {
-        const BinaryNode& node = nodes_[index];
-        Choice& choice = choices_[index];
-        const float a = area(index);
-        if (node.is_leaf()) {
-            choice.references = uint8_t(std::min(node.count(), 255u));
-            choice.height = 0;
-            std::fill_n(choice.cost, kWidth - 1, leaf_cost(a, choice.references));
-            return;
-        }
-        const Choice& left = choices_[node.first];
-        const Choice& right = choices_[node.second];
-        choice.references = uint8_t(std::min(left.references + right.references, 255));
-        choice.height = uint8_t(1 + std::max(left.height, right.height));
-        for (uint32_t roots = 2; roots < kWidth; ++roots)
-            choice.cost[roots - 1] = distribute(left, right, roots).cost;
-        choice.cost[0] =
-            std::min(leaf_cost(a, choice.references),
-                     a * task_.options.traversal_cost + distribute(left, right, kWidth).cost);
-        for (uint32_t i = 1; i + 1 < kWidth; ++i)
-            choice.cost[i] = std::min(choice.cost[i], choice.cost[i - 1]);
-    }
-
-    float leaf_cost(float a, uint32_t references) const {
-        if (references > kMaxLeaf) return kInfinity;
-        return a * task_.options.intersection_cost * float((references + 3) / 4);
-    }
-
-    struct Distribution {
-        float cost;
-        uint32_t left;
-    };
-    static Distribution distribute(const Choice& left, const Choice& right, uint32_t roots) {
-        Distribution best{kInfinity, 1};
-        for (uint32_t k = 1; k < roots; ++k) {
-            const float cost = left.of(k) + right.of(roots - k);
-            if (cost < best.cost) best = {cost, k};
-        }
-        return best;
-    }
-
-    bool becomes_leaf(uint32_t index) const {
-        const Choice& choice = choices_[index];
-        return nodes_[index].is_leaf()
-               || (choice.references <= kMaxLeaf
-                   && choice.cost[0] == leaf_cost(area(index), choice.references));
-    }
-
-    // The roots of what the forest of at most `roots` is.
-    void gather(uint32_t index, uint32_t roots, WideNode& wide) const {
-        const Choice& choice = choices_[index];
-        while (roots > 1 && choice.cost[roots - 1] == choice.cost[roots - 2]) --roots;
-        if (roots == 1) {
-            wide.children[wide.count++] = index;
-            return;
-        }
-        open(index, roots, wide);
-    }
-    void open(uint32_t index, uint32_t roots, WideNode& wide) const {
-        const BinaryNode& node = nodes_[index];
-        const Distribution best = distribute(choices_[node.first], choices_[node.second], roots);
-        gather(node.first, best.left, wide);
-        gather(node.second, roots - best.left, wide);
-    }
-
-    void open_levels(uint32_t index, uint32_t levels, WideNode& wide) const {
-        if (levels == 0 || nodes_[index].is_leaf()) {
-            wide.children[wide.count++] = index;
-            return;
-        }
-        open_levels(nodes_[index].first, levels - 1, wide);
-        open_levels(nodes_[index].second, levels - 1, wide);
-    }
-
-    bool fits(const WideNode& wide, uint32_t levels) const {
-        for (uint32_t i = 0; i < wide.count; ++i)
-            if (!becomes_leaf(wide.children[i]) && choices_[wide.children[i]].height > 3 * levels)
-                return false;
-        return true;
-    }
-
-    uint32_t add_wide(uint32_t index, uint32_t depth) {
-        if (depth >= kMaxDepth) base::fail(base::Code::internal, "a BVH is too deep");
+    // Returns the wide node's number; `depth` counts it.
+    uint32_t add(uint32_t binary, uint32_t depth) {
         WideNode wide{};
-        if (becomes_leaf(index)) { // the root alone
-            wide.children[wide.count++] = index;
-        } else {
-            open(index, kWidth, wide);
-            if (!fits(wide, kMaxDepth - 1 - depth)) {
-                wide.count = 0;
-                open_levels(index, 3, wide);
-            }
-        }
-        wide_.depth = std::max(wide_.depth, depth + 1);
+        choose_children(binary, kMaxDepth - depth, wide);
+        wide_.depth = std::max(wide_.depth, depth);
+        wide_.cost += double(choices_.area(binary)) * double(costs_.traversal);
+        for (uint32_t i = 0; i < wide.count; ++i)
+            if (choices_.is_leaf(wide.children[i])) wide.targets[i] = add_leaf(wide.children[i]);
         const uint32_t number = uint32_t(wide_.nodes.size());
         wide_.nodes.push_back(wide);
         for (uint32_t i = 0; i < wide.count; ++i) {
-            const uint32_t child = wide.children[i];
-            if (!becomes_leaf(child)) continue;
-            const uint32_t references = choices_[child].references;
-            wide_.nodes[number].links[i] = Link::leaf(uint32_t(wide_.blocks), references).bits;
-            wide_.blocks += (references + 3) / 4;
-        }
-        for (uint32_t i = 0; i < wide.count; ++i) {
-            const uint32_t child = wide.children[i];
-            if (becomes_leaf(child)) continue;
-            const uint32_t link = add_wide(child, depth + 1);
-            wide_.nodes[number].links[i] = link;
+            if (choices_.is_leaf(wide.children[i])) continue;
+            const uint32_t child = add(wide.children[i], depth + 1);
+            wide_.nodes[number].targets[i] = child;
         }
         return number;
     }
 
-    const Task& task_;
+    uint32_t add_leaf(uint32_t binary) {
+        const uint32_t references = choices_.references(binary);
+        const uint32_t blocks = (references + kBlockWidth - 1) / kBlockWidth;
+        const uint32_t target = Link::kLeaf | wide_.references;
+        wide_.references += references;
+        wide_.blocks += blocks;
+        wide_.cost += double(choices_.area(binary)) * double(costs_.intersection) * blocks;
+        return target;
+    }
+
+    void choose_children(uint32_t binary, uint32_t levels_below, WideNode& wide) const {
+        if (choices_.is_leaf(binary)) { // the root alone
+            wide.children[wide.count++] = binary;
+            return;
+        }
+        open(binary, kWidth, wide);
+        if (fits(wide, levels_below)) return;
+        wide.count = 0;
+        open_levels(binary, kLevels, wide);
+        if (!fits(wide, levels_below)) base::fail(base::Code::internal, "a BVH is too deep");
+    }
+
+    // Whether the subtrees are low enough, opened by whole levels if need be.
+    bool fits(const WideNode& wide, uint32_t levels) const {
+        for (uint32_t i = 0; i < wide.count; ++i)
+            if (!choices_.is_leaf(wide.children[i])
+                && choices_.height(wide.children[i]) > kLevels * levels)
+                return false;
+        return true;
+    }
+
+    void gather(uint32_t binary, uint32_t most_roots, WideNode& wide) const {
+        const uint32_t roots = choices_.fewest_roots(binary, most_roots);
+        if (roots == 1)
+            wide.children[wide.count++] = binary;
+        else
+            open(binary, roots, wide);
+    }
+    void open(uint32_t binary, uint32_t roots, WideNode& wide) const {
+        const uint32_t left = choices_.distribute(binary, roots).left;
+        gather(nodes_[binary].first, left, wide);
+        gather(nodes_[binary].second, roots - left, wide);
+    }
+    void open_levels(uint32_t binary, uint32_t levels, WideNode& wide) const {
+        if (levels == 0 || choices_.is_leaf(binary)) {
+            wide.children[wide.count++] = binary;
+            return;
+        }
+        open_levels(nodes_[binary].first, levels - 1, wide);
+        open_levels(nodes_[binary].second, levels - 1, wide);
+    }
+
     const base::Vector<BinaryNode>& nodes_;
-    base::Vector<Choice> choices_;
+    const Choices& choices_;
+    WideCosts costs_;
     WideTree wide_;
-    double scale_;
 };
 
 } // namespace
 
-WideTree collapse(const Task& task, const base::Vector<BinaryNode>& nodes) {
-    return Collapse(task, nodes).run();
+WideTree collapse(const BinaryTree& tree, const Choices& choices, const WideCosts& costs,
+                  base::Memory* memory) {
+    return Collapse(tree, choices, costs, memory).run();
 }
 
 } // namespace peregrine::accel::bvh

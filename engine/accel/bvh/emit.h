@@ -2,13 +2,10 @@
 
 #include "accel/bvh/collapse.h"
 
-#include <span>
-
 namespace peregrine::accel::bvh {
 
-// Writes nodes and blocks.
-void emit(const Task& task, const base::Vector<BinaryNode>& binary,
-          std::span<const Reference> references, const WideTree& wide, base::Scheduler& scheduler,
-          Tree& tree);
+// Writes the tree's nodes and blocks, and counts leaves for its report.
+void emit(const Task& task, const BinaryTree& binary, const Reference* references,
+          const WideTree& wide, base::Scheduler& scheduler, Tree& tree);
 
 } // namespace peregrine::accel::bvh

@@ -18,6 +18,10 @@ inline Floats max(const Floats& a, const Floats& b) {
     return a > b ? a : b;
 }
 
+inline Floats load(const math::Vec3& v) {
+    return Floats{v.x, v.y, v.z, 0};
+}
+
 // As math::Box, in vectors.
 struct Bounds {
     static constexpr float kInfinity = std::numeric_limits<float>::infinity();

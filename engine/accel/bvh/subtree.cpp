@@ -1,5 +1,8 @@
 #include "accel/bvh/subtree.h"
 
+#include "accel/bvh/effort.h"
+#include "accel/bvh/treelet.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -14,31 +17,22 @@ uint32_t levels_for(uint32_t references) {
     return uint32_t(std::bit_width(references - 1));
 }
 
-void make_children(std::span<Reference> all, const Range& range, uint32_t middle, Range& left,
-                   Range& right) {
-    left.begin = range.begin;
-    left.end = right.begin = middle;
-    right.end = range.end;
-    left.depth = right.depth = range.depth + 1;
-    left.extent = extent_of(all.subspan(left.begin, left.size()));
-    right.extent = extent_of(all.subspan(right.begin, right.size()));
+// More bins take a large node hardly longer.
+constexpr uint32_t kManyReferences = 1024;
+
+uint32_t bins_for(const Task& task, uint32_t references) {
+    if (references <= kManyReferences) return task.effort.bins;
+    return std::min(kMaxBins, references <= 16 * kManyReferences ? 2 * task.effort.bins
+                                                                 : 4 * task.effort.bins);
 }
 
-// Halves of equally many, whatever it costs: for triangles that no plane separates, and for trees
-// that have grown deep.
-uint32_t halve(std::span<Reference> all, const Range& range) {
-    const Floats size = range.extent.centers.upper - range.extent.centers.lower;
-    int axis = size[1] > size[0] ? 1 : 0;
-    if (size[2] > size[axis]) axis = 2;
-    const uint32_t middle =
-        range.begin + (range.size() / 2 + kBlockWidth - 1) / kBlockWidth * kBlockWidth;
-    std::nth_element(all.begin() + range.begin, all.begin() + middle, all.begin() + range.end,
-                     [axis](const Reference& a, const Reference& b) {
-                         const float at = a.lower[axis] + a.upper[axis];
-                         const float bt = b.lower[axis] + b.upper[axis];
-                         return at != bt ? at < bt : a.biased_triangle < b.biased_triangle;
-                     });
-    return middle;
+bool wants_spatial_split(const Task& task, const Range& range, const Split& split) {
+    if (task.effort.spatial_bins == 0 || range.spare() * 32 < range.size()) return false;
+    if (!split.found()) return false; // triangles on top of each other
+    const Bounds& own = range.extent.bounds;
+    const float overlap = half_area(split.common * task.root_scale);
+    return overlap > task.least_overlap
+           && overlap > kOverlapOfNode * half_area((own.upper - own.lower) * task.root_scale);
 }
 
 uint32_t add_node(base::Vector<BinaryNode>& nodes, const Range& range) {
@@ -51,35 +45,42 @@ uint32_t add_node(base::Vector<BinaryNode>& nodes, const Range& range) {
 
 } // namespace
 
-void split_range(const Task& task, std::span<Reference> all, const Range& range, Range& left,
-                 Range& right) {
-    const std::span<Reference> own = all.subspan(range.begin, range.size());
-    if (range.depth + levels_for(range.size()) < kMaxBinaryDepth) {
-        const Split split = find_split(own, range.extent, task.bins);
-        if (split.found()) {
-            const BinMapping mapping(range.extent.centers, task.bins);
-            const auto middle =
-                std::partition(own.begin(), own.end(), [&](const Reference& reference) {
-                    return mapping(reference.doubled_center())[int(split.axis)] < int(split.bin);
-                });
-            return make_children(all, range, range.begin + uint32_t(middle - own.begin()), left,
-                                 right);
-        }
+void split_range(const Task& task, Arena& arena, const Range& range, Range& left, Range& right) {
+    if (range.depth + levels_for(range.size()) >= kMaxBinaryDepth)
+        return halve(arena, range, left, right);
+    const std::span<const Reference> references(arena.data() + range.begin, range.size());
+    const uint32_t bins = bins_for(task, range.size());
+    const Split split = find_split(references, range.extent, bins);
+    if (wants_spatial_split(task, range, split)) {
+        const SpatialSplit spatial =
+            find_spatial_split(task.triangles, references, range.extent.bounds,
+                               range.size() > kManyReferences ? 2 * task.effort.spatial_bins
+                                                              : task.effort.spatial_bins,
+                               range.spare());
+        if (spatial.cost < split.cost
+            && partition(task.triangles, arena, range, spatial, left, right))
+            return;
     }
-    make_children(all, range, halve(all, range), left, right);
+    if (split.found())
+        partition(arena, range, split, bins, left, right);
+    else
+        halve(arena, range, left, right);
 }
 
-void build_subtree(const Task& task, std::span<Reference> all, const Range& range,
+void build_subtree(const Task& task, Arena& arena, const Range& range,
                    base::Vector<BinaryNode>& nodes) {
+    if (range.size() <= task.effort.treelet && range.depth + range.size() < kMaxBinaryDepth)
+        return build_treelet({arena.data() + range.begin, range.size()}, range.begin,
+                             task.effort.binary_leaf, nodes);
     const uint32_t node = add_node(nodes, range);
-    if (range.size() <= kBinaryLeaf) return;
+    if (range.size() <= task.effort.binary_leaf) return;
     if (range.size() >= kReferencesToAsk && task.control.cancelled()) return;
     Range left, right;
-    split_range(task, all, range, left, right);
+    split_range(task, arena, range, left, right);
     nodes[node].first = uint32_t(nodes.size());
-    build_subtree(task, all, left, nodes);
+    build_subtree(task, arena, left, nodes);
     nodes[node].second = uint32_t(nodes.size());
-    build_subtree(task, all, right, nodes);
+    build_subtree(task, arena, right, nodes);
 }
 
 } // namespace peregrine::accel::bvh

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/bvh/builder.h"
+#include "accel/bvh/reference.h"
 #include "accel/kdtree/control.h"
 
 #include <cstdint>
@@ -14,16 +15,25 @@ inline constexpr uint64_t kMaxTriangles = uint64_t(1) << 27;
 // Three levels of binary nodes can always become one of wide nodes.
 inline constexpr uint32_t kMaxBinaryDepth = 3 * kMaxDepth;
 
-// Binary leaves hold at most one block; the collapse joins them where that is cheaper.
-inline constexpr uint32_t kBinaryLeaf = kBlockWidth;
+// How hard a build tries.
+struct Effort {
+    uint32_t bins;         // of small nodes; larger ones have more
+    uint32_t spatial_bins; // 0: no spatial splits
+    uint32_t treelet;      // references, from which on every plane is tried
+    uint32_t binary_leaf;  // references; the collapse joins leaves where that is cheaper
+    uint32_t reinsertions; // rounds
+    double duplicates;     // room for them, as a part of the triangles
+    double bytes;          // wanted, per triangle
+};
 
 // What all parts of one build share.
 struct Task {
     const geometry::Triangle* triangles;
-    BuildOptions options;
-    uint32_t bins;
+    Effort effort;
     Control& control;
     base::Memory* memory;
+    float root_scale = 0;
+    float least_overlap = 0; // half area, scaled, from which on spatial splits are tried
 };
 
 } // namespace peregrine::accel::bvh

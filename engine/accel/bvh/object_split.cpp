@@ -1,4 +1,4 @@
-#include "accel/bvh/split.h"
+#include "accel/bvh/object_split.h"
 
 #include <algorithm>
 
@@ -24,13 +24,6 @@ struct Bins {
     }
 };
 
-// So that no area overflows, nor vanishes.
-float scale_of(const Bounds& bounds) {
-    const Floats size = bounds.upper - bounds.lower;
-    const float largest = std::max(std::max(size[0], size[1]), size[2]);
-    return largest > 0 ? std::min(1 / largest, std::numeric_limits<float>::max()) : 0;
-}
-
 void sweep(const Bins& bins, uint32_t used, uint32_t axis, float scale, Split& best) {
     float left_cost[kMaxBins];
     Bounds box;
@@ -49,7 +42,11 @@ void sweep(const Bins& bins, uint32_t used, uint32_t axis, float scale, Split& b
         if (count == 0) continue;
         const float cost =
             left_cost[i - 1] + half_area((box.upper - box.lower) * scale) * blocks_of(count);
-        if (cost < best.cost) best = {cost, axis, i};
+        if (cost < best.cost) {
+            best.cost = cost;
+            best.axis = axis;
+            best.bin = i;
+        }
     }
 }
 
@@ -70,6 +67,12 @@ Split find_split(std::span<const Reference> references, const Extent& extent, ui
     for (uint32_t axis = 0; axis < 3; ++axis) sweep(content, bins, axis, scale, best);
     const float area = half_area((extent.bounds.upper - extent.bounds.lower) * scale);
     if (area > 0) best.cost /= area;
+    if (!best.found()) return best;
+    Bounds left, right;
+    for (uint32_t i = 0; i < best.bin; ++i) left.extend(content.bounds[i][best.axis]);
+    for (uint32_t i = best.bin; i < bins; ++i) right.extend(content.bounds[i][best.axis]);
+    best.common =
+        max(min(left.upper, right.upper) - max(left.lower, right.lower), Floats{0, 0, 0, 0});
     return best;
 }
 

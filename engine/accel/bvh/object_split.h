@@ -2,6 +2,7 @@
 
 #include "accel/bvh/reference.h"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -25,13 +26,23 @@ Extent extent_of(std::span<const Reference> references);
 struct Split {
     float cost = std::numeric_limits<float>::infinity();
     uint32_t axis = 0;
-    uint32_t bin = 0; // the first on the right
+    uint32_t bin = 0;   // the first on the right
+    Floats common = {}; // size of what the children's boxes have in common
 
     bool found() const { return cost < std::numeric_limits<float>::infinity(); }
 };
 
+// So that no area overflows, nor vanishes.
+inline float scale_of(const Bounds& bounds) {
+    const Floats size = bounds.upper - bounds.lower;
+    const float largest = std::max(std::max(size[0], size[1]), size[2]);
+    return largest > 0 ? std::min(1 / largest, std::numeric_limits<float>::max()) : 0;
+}
+
+// What the heuristic counts for a child. Begun blocks alone would have it fill blocks at any price,
+// while leaves can still be joined later.
 inline float blocks_of(uint32_t count) {
-    return float((count + 3) / 4);
+    return 0.75f * float((count + 3) / 4) + 0.0625f * float(count);
 }
 
 // Which bin a centre is in, on each axis.
@@ -55,7 +66,7 @@ private:
     Floats last_ = {};
 };
 
-inline constexpr uint32_t kMaxBins = 32;
+inline constexpr uint32_t kMaxBins = 64;
 
 Split find_split(std::span<const Reference> references, const Extent& extent, uint32_t bins);
 

@@ -1,0 +1,132 @@
+#include "accel/bvh/treelet.h"
+
+#include "accel/bvh/object_split.h"
+
+#include <algorithm>
+
+namespace peregrine::accel::bvh {
+namespace {
+
+class Treelet {
+public:
+    Treelet(std::span<Reference> references, uint32_t first, uint32_t leaf,
+            base::Vector<BinaryNode>& nodes)
+        : references_(references), first_(first), leaf_(leaf), nodes_(nodes) {
+        const uint32_t count = uint32_t(references.size());
+        Bounds all;
+        for (uint32_t i = 0; i < count; ++i) {
+            boxes_[i] = references[i].bounds();
+            all.extend(boxes_[i]);
+        }
+        scale_ = scale_of(all);
+        for (int axis = 0; axis < 3; ++axis) sort(axis, count);
+    }
+
+    void build() {
+        const uint32_t count = uint32_t(references_.size());
+        build_node(0, count);
+        Reference sorted[kMaxTreelet];
+        for (uint32_t i = 0; i < count; ++i) sorted[i] = references_[sorted_[0][i]];
+        std::copy_n(sorted, count, references_.data());
+    }
+
+private:
+    struct Cut {
+        float cost = std::numeric_limits<float>::infinity();
+        int axis = 0;
+        uint32_t lefts = 0;
+    };
+
+    // By counting how many come before.
+    void sort(int axis, uint32_t count) {
+        float keys[kMaxTreelet];
+        for (uint32_t i = 0; i < count; ++i)
+            keys[i] = boxes_[i].lower[axis] + boxes_[i].upper[axis];
+        for (uint32_t i = 0; i < count; ++i) {
+            uint32_t place = 0;
+            for (uint32_t j = 0; j < i; ++j) place += keys[j] <= keys[i];
+            for (uint32_t j = i + 1; j < count; ++j) place += keys[j] < keys[i];
+            sorted_[axis][place] = uint8_t(i);
+        }
+    }
+
+    void build_node(uint32_t begin, uint32_t end) {
+        const uint32_t number = uint32_t(nodes_.size());
+        BinaryNode& node = nodes_.emplace_back();
+        Bounds bounds;
+        for (uint32_t i = begin; i < end; ++i) bounds.extend(boxes_[sorted_[0][i]]);
+        node.set_bounds(bounds);
+        if (end - begin <= leaf_) {
+            node.first = first_ + begin;
+            node.second = BinaryNode::kLeaf | (end - begin);
+            return;
+        }
+        Cut best;
+        for (int axis = 0; axis < 3; ++axis) sweep(begin, end, axis, best);
+        separate(begin, end, best);
+        node.first = number + 1;
+        build_node(begin, begin + best.lefts);
+        nodes_[number].second = uint32_t(nodes_.size());
+        build_node(begin + best.lefts, end);
+    }
+
+    float area(const Bounds& bounds) const {
+        return half_area((bounds.upper - bounds.lower) * scale_);
+    }
+
+    void sweep(uint32_t begin, uint32_t end, int axis, Cut& best) const {
+        const uint8_t* sorted = sorted_[axis] + begin;
+        const uint32_t count = end - begin;
+        float right_cost[kMaxTreelet];
+        Bounds box;
+        for (uint32_t i = count - 1; i > 0; --i) {
+            box.extend(boxes_[sorted[i]]);
+            right_cost[i] = area(box) * blocks_of(count - i);
+        }
+        box = {};
+        for (uint32_t i = 1; i < count; ++i) {
+            box.extend(boxes_[sorted[i - 1]]);
+            const float cost = area(box) * blocks_of(i) + right_cost[i];
+            if (cost < best.cost) best = {cost, axis, i};
+        }
+    }
+
+    void separate(uint32_t begin, uint32_t end, Cut& best) {
+        if (best.lefts == 0) best.lefts = (end - begin) / 2; // if an area is not a number
+        bool to_left[kMaxTreelet];
+        for (uint32_t i = begin; i < end; ++i)
+            to_left[sorted_[best.axis][i]] = i < begin + best.lefts;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis == best.axis) continue;
+            uint8_t* sorted = sorted_[axis];
+            uint8_t rights[kMaxTreelet];
+            uint32_t left = begin;
+            uint32_t right = 0;
+            for (uint32_t i = begin; i < end; ++i) {
+                const uint8_t index = sorted[i];
+                sorted[left] = index;
+                rights[right] = index;
+                left += to_left[index];
+                right += !to_left[index];
+            }
+            std::copy_n(rights, right, sorted + left);
+        }
+    }
+
+    std::span<Reference> references_;
+    uint32_t first_;
+    uint32_t leaf_;
+    base::Vector<BinaryNode>& nodes_;
+    Bounds boxes_[kMaxTreelet];
+    uint8_t sorted_[3][kMaxTreelet];
+    float scale_;
+};
+
+} // namespace
+
+void build_treelet(std::span<Reference> references, uint32_t first, uint32_t leaf,
+                   base::Vector<BinaryNode>& nodes) {
+    Treelet(references, first, leaf, nodes).build();
+}
+
+} // namespace peregrine::accel::bvh
