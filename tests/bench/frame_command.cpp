@@ -53,7 +53,7 @@ std::string run_frame(const Options& options) {
         const host::Level level = host::gltf::import_file(file);
         host::Stage stage(plugin.api(), options.threads, RT_ISA_BEST);
         host::upload_level(stage, level, kAmbient);
-        stage.commit(nullptr);
+        stage.commit(RT_STRUCTURE_AUTO, RT_BUILD_BALANCED, nullptr);
         host::Frame frame;
         frame.width = frame.height = options.size;
         std::vector<uint32_t> pixels(size_t(options.size) * options.size);
