@@ -21,16 +21,17 @@ using D8u = hn::RebindToUnsigned<D8>;
 constexpr D8u k8u;
 constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
-// Judges a group's candidates: `many(at, lanes, verdict, dz)` is called for eight at a time,
-// `one(at, hit)` for those that stand alone or whose main axis is another; `at` counts from the
-// beam's first ray, `reach(at)` is the t up to which hits count.
-template <class Many, class One, class Reach>
-HWY_INLINE HWY_ATTR void judge_group(const Beam& beam, const RayStream& rays, const Facets& facets,
+// Judges a group's candidates: kernel.take(at, lanes, verdict, dz, index) hears of eight at a time,
+// kernel.test_one(block, lane, at) is asked for those that stand alone or whose main axis is
+// another; `at` counts from the beam's first ray. Returns whether the kernel changed a limit.
+template <class Kernel>
+HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, const Facets& facets,
                                      const Block& block, uint32_t lane, uint32_t group,
-                                     uint32_t candidates, Many&& many, One&& one, Reach&& reach) {
+                                     uint32_t candidates, Kernel& kernel) {
     const Judge facet(facets, lane);
     uint32_t alone = candidates & beam.foreign[group];
     candidates &= ~alone;
+    bool changed = false;
     for (uint32_t i = 0; i < kGroupRays; i += kLanes8) {
         const uint32_t piece = candidates >> i & ((1u << kLanes8) - 1);
         if ((piece & (piece - 1)) == 0) {
@@ -41,15 +42,12 @@ HWY_INLINE HWY_ATTR void judge_group(const Beam& beam, const RayStream& rays, co
         const V8 dz = hn::LoadU(k8, rays.direction[beam.kz] + beam.first + at);
         const Verdict verdict =
             judge(facet, hn::Load(k8, beam.sx + at), hn::Load(k8, beam.sy + at), dz);
-        many(at, mask_of(piece), verdict, dz);
+        changed |= kernel.take(at, mask_of(piece), verdict, dz, block.triangle[lane]);
     }
-    for (; alone; alone &= alone - 1) {
-        const uint32_t at = group * kGroupRays + uint32_t(__builtin_ctz(alone));
-        math::Ray ray = ray_at(rays, beam.first + at);
-        ray.t_max = reach(at);
-        geometry::TriangleHit hit;
-        if (bvh::intersect(geometry::shear(ray), block, lane, hit)) one(at, hit);
-    }
+    for (; alone; alone &= alone - 1)
+        changed |=
+            kernel.test_one(block, lane, group * kGroupRays + uint32_t(__builtin_ctz(alone)));
+    return changed;
 }
 
 // 1 in lanes where the side seen is the clockwise one.
@@ -66,138 +64,178 @@ HWY_INLINE HWY_ATTR M8 accepted(M8 lanes, const Filter& filter, const geometry::
     return trace::HWY_NAMESPACE::accepted(lanes, filter, info, hit);
 }
 
-template <bool Filtered>
-HWY_ATTR void closest_beam(const Target& target, Beam& beam, const RayStream& rays,
-                           const Filter& filter, const HitStream& out) {
-    const uint32_t padded = uint32_t(__builtin_popcount(beam.groups)) * kGroupRays;
-    const HitStream hits = {out.t + beam.first,         out.u + beam.first,
-                            out.v + beam.first,         out.triangle + beam.first,
-                            out.back_face + beam.first, nullptr};
-    const float* t_min = rays.t_min + beam.first;
-    for (uint32_t i = 0; i < padded; i += kLanes8) {
-        const V8 end =
-            hn::Min(hn::LoadU(k8, rays.t_max + beam.first + i), hn::Set(k8, kLargestFloat));
-        hn::StoreU(end, k8, hits.t + i);
-        hn::StoreU(hn::Set(k8u, geometry::kNoTriangle), k8u, hits.triangle + i);
-    }
-    const V8 sign = hn::Set(k8, beam.sign);
-    const auto test = [&](const Facets& facets, const Block& block, uint32_t lane, uint32_t group,
-                          Candidates candidates) HWY_ATTR {
-        const uint32_t index = block.triangle[lane];
-        bool changed = false;
-        const auto many = [&](uint32_t at, M8 lanes, const Verdict& verdict, V8 dz) HWY_ATTR {
-            const V8 best = hn::LoadU(k8, hits.t + at);
-            const auto before = hn::LoadU(k8u, hits.triangle + at);
-            const M8 nearer = hn::Lt(verdict.t, best);
-            const M8 ties = hn::And(hn::Eq(verdict.t, best),
-                                    hn::RebindMask(k8, hn::Lt(hn::Set(k8u, index), before)));
-            M8 wins = hn::And(hn::And(lanes, hn::Ge(verdict.t, hn::LoadU(k8, t_min + at))),
-                              hn::Or(nearer, ties));
-            wins = accepted<Filtered>(wins, filter, target.infos[index], verdict, dz);
-            if (hn::AllFalse(k8, wins)) return;
-            changed = true;
-            const V8 z = hn::Mul(verdict.t, hn::Mul(dz, sign));
-            if (hn::AllTrue(k8, wins)) {
-                hn::StoreU(verdict.t, k8, hits.t + at);
-                hn::StoreU(verdict.u, k8, hits.u + at);
-                hn::StoreU(verdict.v, k8, hits.v + at);
-                hn::StoreU(hn::Set(k8u, index), k8u, hits.triangle + at);
-                hn::StoreU(back_faces(verdict, dz), k8u, hits.back_face + at);
-                hn::Store(z, k8, beam.limit + at);
-                return;
-            }
-            const auto uwins = hn::RebindMask(k8u, wins);
-            const auto keep = [&](float* values, V8 value) HWY_ATTR {
-                hn::StoreU(hn::IfThenElse(wins, value, hn::LoadU(k8, values)), k8, values);
-            };
-            hn::StoreU(hn::IfThenElse(wins, verdict.t, best), k8, hits.t + at);
-            keep(hits.u + at, verdict.u);
-            keep(hits.v + at, verdict.v);
-            hn::StoreU(hn::IfThenElse(uwins, hn::Set(k8u, index), before), k8u, hits.triangle + at);
-            hn::StoreU(
-                hn::IfThenElse(uwins, back_faces(verdict, dz), hn::LoadU(k8u, hits.back_face + at)),
-                k8u, hits.back_face + at);
-            keep(beam.limit + at, z);
-        };
-        const auto one = [&](uint32_t at, const geometry::TriangleHit& hit) HWY_ATTR {
-            if (!comes_first(hit.t, index, hits.t[at], hits.triangle[at])) return;
-            if (Filtered && !filter.accepts(target.infos[index], hit.back_face, hit.u, hit.v))
-                return;
-            changed = true;
-            hits.store(at, {hit.t, hit.u, hit.v, index, hit.back_face, 0});
-            beam.limit[at] = hit.t * (beam.sign * rays.direction[beam.kz][beam.first + at]);
-        };
-        judge_group(beam, rays, facets, block, lane, group, candidates.open, many, one,
-                    [&](uint32_t at) { return hits.t[at]; });
-        if (changed) beam.update_limit(group);
-    };
-    const uint32_t steps = visit_beam(target, beam, test);
-    const V8 infinity = hn::Set(k8, std::numeric_limits<float>::infinity());
-    for (uint32_t i = 0; i < padded; i += kLanes8) {
-        const auto missed = hn::RebindMask(
-            k8, hn::Eq(hn::LoadU(k8u, hits.triangle + i), hn::Set(k8u, geometry::kNoTriangle)));
-        if (!hn::AllFalse(k8, missed)) {
-            const auto set = [&](float* values, V8 value) HWY_ATTR {
-                hn::StoreU(hn::IfThenElse(missed, value, hn::LoadU(k8, values)), k8, values);
-            };
-            set(hits.t + i, infinity);
-            set(hits.u + i, hn::Zero(k8));
-            set(hits.v + i, hn::Zero(k8));
-            const auto back = hn::LoadU(k8u, hits.back_face + i);
-            hn::StoreU(hn::IfThenZeroElse(hn::RebindMask(k8u, missed), back), k8u,
-                       hits.back_face + i);
-        }
-        if (out.steps) hn::StoreU(hn::Set(k8u, steps), k8u, out.steps + beam.first + i);
-    }
+// The canonical test for one ray, with t up to `end`.
+HWY_INLINE HWY_ATTR bool intersect_one(const RayStream& rays, uint32_t at, float end,
+                                       const Block& block, uint32_t lane,
+                                       geometry::TriangleHit& hit) {
+    math::Ray ray = ray_at(rays, at);
+    ray.t_max = end;
+    return bvh::intersect(geometry::shear(ray), block, lane, hit);
 }
 
 template <bool Filtered>
-HWY_ATTR void occluded_beam(const Target& target, Beam& beam, const RayStream& rays,
-                            const Filter& filter, uint8_t* occluded) {
-    uint32_t blocked[kGroups] = {};
-    const float* t_min = rays.t_min + beam.first;
-    const float* t_max = rays.t_max + beam.first;
-    const auto test = [&](const Facets& facets, const Block& block, uint32_t lane, uint32_t group,
-                          Candidates candidates) HWY_ATTR {
-        const uint32_t index = block.triangle[lane];
-        uint32_t found = 0;
-        if (!Filtered && candidates.certain) {
-            found = candidates.certain;
-            for (uint32_t i = 0; i < kGroupRays; i += kLanes8) {
-                float* limit = beam.limit + group * kGroupRays + i;
-                hn::Store(
-                    hn::IfThenElse(mask_of(found >> i), hn::Set(k8, -1.0f), hn::Load(k8, limit)),
-                    k8, limit);
-            }
-            candidates.open &= ~found;
+class ClosestBeam {
+public:
+    HWY_ATTR ClosestBeam(const Target& target, Beam& beam, const RayStream& rays,
+                         const Filter& filter, const HitStream& out)
+        : target_(target), beam_(beam), rays_(rays), filter_(filter), out_(out),
+          hits_{out.t + beam.first,        out.u + beam.first,         out.v + beam.first,
+                out.triangle + beam.first, out.back_face + beam.first, nullptr} {}
+
+    HWY_ATTR void trace() {
+        const uint32_t padded = uint32_t(__builtin_popcount(beam_.groups)) * kGroupRays;
+        for (uint32_t i = 0; i < padded; i += kLanes8) {
+            const V8 end =
+                hn::Min(hn::LoadU(k8, rays_.t_max + beam_.first + i), hn::Set(k8, kLargestFloat));
+            hn::StoreU(end, k8, hits_.t + i);
+            hn::StoreU(hn::Set(k8u, geometry::kNoTriangle), k8u, hits_.triangle + i);
         }
-        const auto many = [&](uint32_t at, M8 lanes, const Verdict& verdict, V8 dz) HWY_ATTR {
-            const V8 end = hn::Min(hn::LoadU(k8, t_max + at), hn::Set(k8, kLargestFloat));
-            const M8 in_range =
-                hn::And(hn::Ge(verdict.t, hn::LoadU(k8, t_min + at)), hn::Le(verdict.t, end));
-            const M8 hit = accepted<Filtered>(hn::And(lanes, in_range), filter, target.infos[index],
-                                              verdict, dz);
-            hn::Store(hn::IfThenElse(hit, hn::Set(k8, -1.0f), hn::Load(k8, beam.limit + at)), k8,
-                      beam.limit + at);
-            found |= bits_of(k8, hit) << at % kGroupRays;
-        };
-        const auto one = [&](uint32_t at, const geometry::TriangleHit& hit) HWY_ATTR {
-            if (Filtered && !filter.accepts(target.infos[index], hit.back_face, hit.u, hit.v))
-                return;
-            beam.limit[at] = -1;
-            found |= 1u << at % kGroupRays;
-        };
-        if (candidates.open)
-            judge_group(beam, rays, facets, block, lane, group, candidates.open, many, one,
-                        [&](uint32_t at) { return t_max[at]; });
-        if (found == 0) return;
-        blocked[group] |= found;
-        beam.update_limit(group);
-    };
-    visit_beam(target, beam, test);
-    for (uint32_t i = 0; i < beam.count; ++i)
-        occluded[beam.first + i] = blocked[i / kGroupRays] >> i % kGroupRays & 1;
-}
+        const uint32_t steps = visit_beam(target_, beam_, *this);
+        for (uint32_t i = 0; i < padded; i += kLanes8) {
+            finish_missed(i);
+            if (out_.steps) hn::StoreU(hn::Set(k8u, steps), k8u, out_.steps + beam_.first + i);
+        }
+    }
+
+    HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
+                                   uint32_t group, const Candidates& rays) {
+        if (judge_group(beam_, rays_, facets, block, lane, group, rays.open, *this))
+            beam_.update_limit(group);
+    }
+
+    HWY_INLINE HWY_ATTR bool take(uint32_t at, M8 lanes, const Verdict& verdict, V8 dz,
+                                  uint32_t index) {
+        const V8 best = hn::LoadU(k8, hits_.t + at);
+        const auto before = hn::LoadU(k8u, hits_.triangle + at);
+        const M8 nearer = hn::Lt(verdict.t, best);
+        const M8 ties = hn::And(hn::Eq(verdict.t, best),
+                                hn::RebindMask(k8, hn::Lt(hn::Set(k8u, index), before)));
+        const V8 begin = hn::LoadU(k8, rays_.t_min + beam_.first + at);
+        M8 wins = hn::And(hn::And(lanes, hn::Ge(verdict.t, begin)), hn::Or(nearer, ties));
+        wins = accepted<Filtered>(wins, filter_, target_.infos[index], verdict, dz);
+        if (hn::AllFalse(k8, wins)) return false;
+        const V8 z = hn::Mul(verdict.t, hn::Mul(dz, hn::Set(k8, beam_.sign)));
+        if (hn::AllTrue(k8, wins)) {
+            hn::StoreU(verdict.t, k8, hits_.t + at);
+            hn::StoreU(verdict.u, k8, hits_.u + at);
+            hn::StoreU(verdict.v, k8, hits_.v + at);
+            hn::StoreU(hn::Set(k8u, index), k8u, hits_.triangle + at);
+            hn::StoreU(back_faces(verdict, dz), k8u, hits_.back_face + at);
+            hn::Store(z, k8, beam_.limit + at);
+            return true;
+        }
+        replace(wins, verdict.t, hits_.t + at);
+        replace(wins, verdict.u, hits_.u + at);
+        replace(wins, verdict.v, hits_.v + at);
+        replace(wins, hn::Set(k8u, index), hits_.triangle + at);
+        replace(wins, back_faces(verdict, dz), hits_.back_face + at);
+        replace(wins, z, beam_.limit + at);
+        return true;
+    }
+
+    HWY_INLINE HWY_ATTR bool test_one(const Block& block, uint32_t lane, uint32_t at) {
+        const uint32_t index = block.triangle[lane];
+        geometry::TriangleHit hit;
+        if (!intersect_one(rays_, beam_.first + at, hits_.t[at], block, lane, hit)
+            || !comes_first(hit.t, index, hits_.t[at], hits_.triangle[at])
+            || (Filtered && !filter_.accepts(target_.infos[index], hit.back_face, hit.u, hit.v)))
+            return false;
+        hits_.store(at, {hit.t, hit.u, hit.v, index, hit.back_face, 0});
+        beam_.limit[at] = hit.t * (beam_.sign * rays_.direction[beam_.kz][beam_.first + at]);
+        return true;
+    }
+
+private:
+    HWY_INLINE HWY_ATTR static void replace(M8 lanes, V8 value, float* values) {
+        hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(k8, values)), k8, values);
+    }
+    HWY_INLINE HWY_ATTR static void replace(M8 lanes, hn::Vec<D8u> value, uint32_t* values) {
+        hn::StoreU(hn::IfThenElse(hn::RebindMask(k8u, lanes), value, hn::LoadU(k8u, values)), k8u,
+                   values);
+    }
+
+    HWY_INLINE HWY_ATTR void finish_missed(uint32_t i) {
+        const M8 missed = hn::RebindMask(
+            k8, hn::Eq(hn::LoadU(k8u, hits_.triangle + i), hn::Set(k8u, geometry::kNoTriangle)));
+        if (hn::AllFalse(k8, missed)) return;
+        replace(missed, hn::Set(k8, std::numeric_limits<float>::infinity()), hits_.t + i);
+        replace(missed, hn::Zero(k8), hits_.u + i);
+        replace(missed, hn::Zero(k8), hits_.v + i);
+        replace(missed, hn::Zero(k8u), hits_.back_face + i);
+    }
+
+    const Target& target_;
+    Beam& beam_;
+    const RayStream& rays_;
+    const Filter& filter_;
+    const HitStream& out_;
+    HitStream hits_; // from the beam's first ray on
+};
+
+template <bool Filtered>
+class OccludedBeam {
+public:
+    HWY_ATTR OccludedBeam(const Target& target, Beam& beam, const RayStream& rays,
+                          const Filter& filter)
+        : target_(target), beam_(beam), rays_(rays), filter_(filter) {}
+
+    HWY_ATTR void trace(uint8_t* occluded) {
+        visit_beam(target_, beam_, *this);
+        for (uint32_t i = 0; i < beam_.count; ++i)
+            occluded[beam_.first + i] = blocked_[i / kGroupRays] >> i % kGroupRays & 1;
+    }
+
+    HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
+                                   uint32_t group, const Candidates& rays) {
+        const uint32_t certain = Filtered ? 0 : rays.certain;
+        for (uint32_t i = 0; certain && i < kGroupRays; i += kLanes8)
+            block_lanes(group * kGroupRays + i, mask_of(certain >> i));
+        blocked_[group] |= certain;
+        const uint32_t open = rays.open & ~certain;
+        const bool changed =
+            open && judge_group(beam_, rays_, facets, block, lane, group, open, *this);
+        if (certain || changed) beam_.update_limit(group);
+    }
+
+    HWY_INLINE HWY_ATTR bool take(uint32_t at, M8 lanes, const Verdict& verdict, V8 dz,
+                                  uint32_t index) {
+        const V8 begin = hn::LoadU(k8, rays_.t_min + beam_.first + at);
+        const V8 end =
+            hn::Min(hn::LoadU(k8, rays_.t_max + beam_.first + at), hn::Set(k8, kLargestFloat));
+        const M8 in_range = hn::And(hn::Ge(verdict.t, begin), hn::Le(verdict.t, end));
+        const M8 hit = accepted<Filtered>(hn::And(lanes, in_range), filter_, target_.infos[index],
+                                          verdict, dz);
+        if (hn::AllFalse(k8, hit)) return false;
+        block_lanes(at, hit);
+        blocked_[at / kGroupRays] |= bits_of(k8, hit) << at % kGroupRays;
+        return true;
+    }
+
+    HWY_INLINE HWY_ATTR bool test_one(const Block& block, uint32_t lane, uint32_t at) {
+        if (beam_.limit[at] < 0) return false; // already
+        geometry::TriangleHit hit;
+        if (!intersect_one(rays_, beam_.first + at, rays_.t_max[beam_.first + at], block, lane, hit)
+            || (Filtered
+                && !filter_.accepts(target_.infos[block.triangle[lane]], hit.back_face, hit.u,
+                                    hit.v)))
+            return false;
+        beam_.limit[at] = -1;
+        blocked_[at / kGroupRays] |= 1u << at % kGroupRays;
+        return true;
+    }
+
+private:
+    HWY_INLINE HWY_ATTR void block_lanes(uint32_t at, M8 lanes) {
+        const V8 limit = hn::Load(k8, beam_.limit + at);
+        hn::Store(hn::IfThenElse(lanes, hn::Set(k8, -1.0f), limit), k8, beam_.limit + at);
+    }
+
+    const Target& target_;
+    Beam& beam_;
+    const RayStream& rays_;
+    const Filter& filter_;
+    uint32_t blocked_[kGroups] = {}; // bits
+};
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -10,6 +10,7 @@
 
 #include "trace/bvh/beam-inl.h"
 #include "trace/bvh/facet-inl.h"
+#include "trace/bvh/tiny_leaf-inl.h"
 #include "trace/intersect_packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,24 +24,35 @@ struct BeamEntry {
     Link link;
     uint32_t groups;
     float z;
+    bool tiny; // a leaf that few rays can hit
 };
 
 // The children of a node that a window's rays may enter.
 struct BeamChildren {
     uint32_t entered;                  // bits
     uint32_t narrow;                   // bits: those that groups should be asked about one by one
+    uint32_t tiny;                     // bits: those that few rays enter, to be asked one by one
     alignas(32) float near[8], far[8]; // z, cut to the beam's
     alignas(32) float x0[8], x1[8], y0[8], y1[8];
 
     HWY_INLINE HWY_ATTR void find(const Beam& beam, const Node& node, const Window& window,
                                   float limit);
+    // Slopes through a child that lies ahead as a whole.
+    HWY_INLINE HWY_ATTR Window window_of(uint32_t child) const {
+        const float near_inverse = 1 / near[child], far_inverse = 1 / far[child];
+        const float slack = 1.0f + 0x1p-21f;
+        return {std::min(x0[child] * near_inverse * slack, x0[child] * far_inverse),
+                std::max(x1[child] * near_inverse * slack, x1[child] * far_inverse),
+                std::min(y0[child] * near_inverse * slack, y0[child] * far_inverse),
+                std::max(y1[child] * near_inverse * slack, y1[child] * far_inverse)};
+    }
     // The groups of `mask` whose rays may enter a child.
     HWY_INLINE HWY_ATTR uint32_t find_groups(const Beam& beam, uint32_t child, uint32_t mask) const;
 };
 
 HWY_INLINE HWY_ATTR void BeamChildren::find(const Beam& beam, const Node& node,
                                             const Window& window, float limit) {
-    entered = narrow = 0;
+    entered = narrow = tiny = 0;
     const bool ahead = beam.sign > 0;
     const float* z_first = ahead ? node.lower[beam.kz] : node.upper[beam.kz];
     const float* z_last = ahead ? node.upper[beam.kz] : node.lower[beam.kz];
@@ -54,6 +66,9 @@ HWY_INLINE HWY_ATTR void BeamChildren::find(const Beam& beam, const Node& node,
              q1 = hn::Set(k8, window.q1 + beam.center_q);
     const V8 wide_p = hn::Mul(hn::Set(k8, 0.5f), hn::Sub(p1, p0));
     const V8 wide_q = hn::Mul(hn::Set(k8, 0.5f), hn::Sub(q1, q0));
+    // A quarter of the side of a beam is the side of a group.
+    const V8 tiny_p = hn::Set(k8, 0.125f * (beam.window.p1 - beam.window.p0));
+    const V8 tiny_q = hn::Set(k8, 0.125f * (beam.window.q1 - beam.window.q0));
     for (size_t i = 0; i < accel::bvh::kWidth; i += kLanes8) {
         const V8 za = hn::Sub(hn::Mul(hn::Load(k8, z_first + i), sign), hn::Add(oz, margin));
         const V8 zb = hn::Sub(hn::Mul(hn::Load(k8, z_last + i), sign), hn::Sub(oz, margin));
@@ -73,6 +88,9 @@ HWY_INLINE HWY_ATTR void BeamChildren::find(const Beam& beam, const Node& node,
         const auto small = hn::Or(hn::Lt(hn::Sub(right, left), hn::Mul(wide_p, begin)),
                                   hn::Lt(hn::Sub(top, bottom), hn::Mul(wide_q, begin)));
         narrow |= bits_of(k8, small) << i;
+        const auto few = hn::And(hn::Lt(hn::Sub(right, left), hn::Mul(tiny_p, begin)),
+                                 hn::Lt(hn::Sub(top, bottom), hn::Mul(tiny_q, begin)));
+        tiny |= bits_of(k8, few) << i;
         hn::Store(begin, k8, near + i);
         hn::Store(end, k8, far + i);
         hn::Store(left, k8, x0 + i);
@@ -204,6 +222,8 @@ HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& fa
         low_q[k] = top ? beam.group_q1 : beam.group_q0;
     }
     const V8 tolerance = hn::Set(k8, facets.tolerance[lane]);
+    const V8 tolerance4 = hn::Mul(tolerance, hn::Set(k8, 4.0f));
+    const V8 beyond_tolerance = hn::Set(k8, facets.beyond_tolerance[lane]);
     for (uint32_t g = 0; g < kGroups; g += kLanes8) {
         const auto edge = [&](const float* const* p, const float* const* q, int k) HWY_ATTR {
             return hn::MulAdd(hn::Load(k8, p[k] + g), hn::Set(k8, facets.a[k][lane]),
@@ -214,8 +234,24 @@ HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& fa
                                 hn::Min(edge(high_p, high_q, 1), edge(high_p, high_q, 2)));
         const V8 least =
             hn::Min(edge(low_p, low_q, 0), hn::Min(edge(low_p, low_q, 1), edge(low_p, low_q, 2)));
-        const auto open = hn::And(hn::Ge(hn::Load(k8, beam.group_limit + g), nearest),
-                                  hn::Ge(most, hn::Neg(tolerance)));
+        // What find_by_edges asks of each ray: here of the corner where it comes closest to yes.
+        const V8 limit = hn::Load(k8, beam.group_limit + g);
+        const V8 further = hn::MulAdd(limit, hn::Set(k8, 1.0f + 0x1p-20f), hn::Neg(nearest));
+        const auto excess = [&](const float* beyond, const float* det) HWY_ATTR {
+            return hn::NegMulAdd(further, hn::Set(k8, det[lane]), hn::Set(k8, beyond[lane]));
+        };
+        const V8 ea = excess(facets.beyond_a, facets.det_a);
+        const V8 eb = excess(facets.beyond_b, facets.det_b);
+        const V8 ec = excess(facets.beyond_c, facets.det_c);
+        const V8 least_excess =
+            hn::Add(ec, hn::Add(hn::Min(hn::Mul(ea, hn::Load(k8, beam.group_p0 + g)),
+                                        hn::Mul(ea, hn::Load(k8, beam.group_p1 + g))),
+                                hn::Min(hn::Mul(eb, hn::Load(k8, beam.group_q0 + g)),
+                                        hn::Mul(eb, hn::Load(k8, beam.group_q1 + g)))));
+        const auto too_far =
+            hn::Gt(least_excess, hn::MulAdd(further, tolerance4, beyond_tolerance));
+        const auto open =
+            hn::AndNot(too_far, hn::And(hn::Ge(limit, nearest), hn::Ge(most, hn::Neg(tolerance))));
         groups.open |= bits_of(k8, open) << g;
         groups.inside |= bits_of(k8, hn::Gt(least, tolerance)) << g;
     }
@@ -223,9 +259,10 @@ HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& fa
     return groups;
 }
 
-template <class Test>
+template <class Kernel>
 HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link leaf,
-                                    uint32_t mask, const Window& window, float limit, Test&& test) {
+                                    uint32_t mask, const Window& window, float limit,
+                                    Kernel& kernel) {
     const uint32_t count = leaf.count();
     const Block* block = target.bvh_blocks + leaf.first_block();
     for (uint32_t first = 0; first < count; first += accel::bvh::kBlockWidth, ++block) {
@@ -242,33 +279,39 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
                                         : groups.inside >> group & 1
                                             ? find_by_edges<true>(beam, facets, lane, group)
                                             : find_by_edges<false>(beam, facets, lane, group);
-                if (rays.open) test(facets, *block, lane, group, rays);
+                if (rays.open) kernel.judge(facets, *block, lane, group, rays);
             }
         }
     }
 }
 
-// Goes through the facets that the beam may hit, roughly from near to far. `test(facets, block,
-// lane, group, candidates)` decides for those of a group. Returns the number of nodes visited.
-template <class Test>
-HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Test&& test) {
+// Goes through what the beam may hit, roughly from near to far. `kernel.judge(facets, block, lane,
+// group, candidates)` decides for the rays of a group and a facet, `kernel.take(at, index, hit)`
+// hears of the hit of a ray that was tested alone. Returns the number of nodes visited.
+template <class Kernel>
+HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
     BeamEntry stack[accel::bvh::kStackSize];
+    Window windows[accel::bvh::kStackSize]; // of those entries that are tiny
     uint32_t depth = 0;
     uint32_t visited = 0;
-    stack[depth++] = {Link::inner(0), beam.groups, 0};
+    stack[depth++] = {Link::inner(0), beam.groups, 0, false};
     Window window = beam.window;
     uint32_t window_groups = beam.groups;
     while (depth > 0) {
         const BeamEntry entry = stack[--depth];
         const uint32_t groups = beam.reaching(entry.groups, entry.z);
         if (groups == 0) continue;
+        if (entry.tiny) {
+            visit_tiny_leaf(target, beam, entry.link, groups, entry.z, windows[depth], kernel);
+            continue;
+        }
         if (groups != window_groups) {
             window = groups == beam.groups ? beam.window : beam.window_of(groups);
             window_groups = groups;
         }
         const float limit = beam.limit_of(groups);
         if (entry.link.is_leaf()) {
-            visit_leaf(target, beam, entry.link, groups, window, limit, test);
+            visit_leaf(target, beam, entry.link, groups, window, limit, kernel);
             continue;
         }
         ++visited;
@@ -283,10 +326,15 @@ HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Test&& test) {
                 mask = children.find_groups(beam, child, groups);
                 if (mask == 0) continue;
             }
+            const Link link = node.child[child];
+            const bool tiny = link.is_leaf() && (children.tiny >> child & 1);
             uint32_t place = depth++;
-            for (; place > bottom && stack[place - 1].z < children.near[child]; --place)
+            for (; place > bottom && stack[place - 1].z < children.near[child]; --place) {
                 stack[place] = stack[place - 1];
-            stack[place] = {node.child[child], mask, children.near[child]};
+                windows[place] = windows[place - 1];
+            }
+            stack[place] = {link, mask, children.near[child], tiny};
+            if (tiny) windows[place] = children.window_of(child);
         }
     }
     return visited;

@@ -146,8 +146,8 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
     const V4 e4 = hn::Mul(hn::Set(k4, 4.0f), e);
     // Where products of three lengths fit float with room to spare.
     const auto fits = hn::And(hn::Gt(e, hn::Set(k4, 0x1p-60f)), hn::Lt(e, hn::Set(k4, 0x1p60f)));
-    const auto front = hn::And(fits, hn::Gt(lowest(da, db, dc), hn::Add(e4, e4)));
-    const auto back = hn::And(fits, hn::Lt(highest(da, db, dc), hn::Neg(hn::Add(e4, e4))));
+    const auto front = hn::And(fits, hn::Gt(lowest(da, db, dc), e4));
+    const auto back = hn::And(fits, hn::Lt(highest(da, db, dc), hn::Neg(e4)));
     const V4 turn = hn::IfThenElse(back, hn::Set(k4, -1.0f), hn::Set(k4, 1.0f));
     V4 most = hn::Set(k4, std::numeric_limits<float>::infinity());
     for (int edge = 0; edge < 3; ++edge) {

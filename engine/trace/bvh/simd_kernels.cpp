@@ -49,7 +49,8 @@ HWY_ATTR void closest_stream(const Target& target, const RayStream& rays, const 
     for (uint32_t first = 0; first < rays.count; first += kBeamRays)
         split_into_beams(
             target, rays, first, std::min(kBeamRays, rays.count - first),
-            [&](Beam& beam) HWY_ATTR { closest_beam<Filtered>(target, beam, rays, filter, hits); },
+            [&](Beam& beam)
+                HWY_ATTR { ClosestBeam<Filtered>(target, beam, rays, filter, hits).trace(); },
             [&](uint32_t i)
                 HWY_ATTR { hits.store(i, closest<Filtered>(target, ray_at(rays, i), filter)); });
 }
@@ -61,7 +62,7 @@ HWY_ATTR void occluded_stream(const Target& target, const RayStream& rays, const
         split_into_beams(
             target, rays, first, std::min(kBeamRays, rays.count - first),
             [&](Beam& beam)
-                HWY_ATTR { occluded_beam<Filtered>(target, beam, rays, filter, result); },
+                HWY_ATTR { OccludedBeam<Filtered>(target, beam, rays, filter).trace(result); },
             [&](uint32_t i)
                 HWY_ATTR { result[i] = occluded<Filtered>(target, ray_at(rays, i), filter); });
 }
