@@ -12,6 +12,9 @@
 #include "accel/bvh/tree.h"
 #include "geometry/intersect.h"
 #include "trace/bvh/lanes-inl.h"
+#include "trace/bvh/push-inl.h"
+
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
@@ -24,21 +27,31 @@ struct BlockRay {
     V4 sx, sy;
     Vd dz;
     float t_min, t_max;
-    uint32_t kx, ky, kz; // offsets of the axes in a vertex of a block, in floats
+    size_t kx, ky, kz; // offsets of the axes in a vertex of a block, in floats
 
-    HWY_ATTR explicit BlockRay(const math::Ray& ray) {
-        const geometry::ShearedRay sheared = geometry::shear(ray);
-        ox = hn::Set(k4, ray.origin[sheared.kx]);
-        oy = hn::Set(k4, ray.origin[sheared.ky]);
-        oz = hn::Set(k4, ray.origin[sheared.kz]);
-        sx = hn::Set(k4, sheared.sx);
-        sy = hn::Set(k4, sheared.sy);
-        dz = hn::Set(kD, sheared.dz);
-        t_min = sheared.t_min;
-        t_max = sheared.t_max;
-        kx = uint32_t(sheared.kx) * accel::bvh::kBlockWidth;
-        ky = uint32_t(sheared.ky) * accel::bvh::kBlockWidth;
-        kz = uint32_t(sheared.kz) * accel::bvh::kBlockWidth;
+    // geometry::shear, without a branch on which axis is the largest.
+    HWY_INLINE HWY_ATTR BlockRay(const RayLanes& lanes, const math::Ray& ray) {
+        const hn::RebindToUnsigned<D4> u4;
+        alignas(16) static constexpr uint32_t kAxes[3][4] = {
+            {1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}};
+        const uint32_t* axes = kAxes[lanes.kz];
+        const auto turn = hn::IndicesFromVec(k4, hn::Load(u4, axes));
+        const V4 origin = hn::TableLookupLanes(lanes.origin, turn);
+        const V4 direction = hn::TableLookupLanes(lanes.direction, turn);
+        const V4 along = hn::Broadcast<2>(direction);
+        const V4 slope = hn::Div(direction, along);
+        ox = hn::Broadcast<0>(origin);
+        oy = hn::Broadcast<1>(origin);
+        oz = hn::Broadcast<2>(origin);
+        sx = hn::Broadcast<0>(slope);
+        sy = hn::Broadcast<1>(slope);
+        dz = promote_part(along, 0);
+        t_min = ray.t_min;
+        constexpr float kLargest = std::numeric_limits<float>::max();
+        t_max = ray.t_max < kLargest ? ray.t_max : kLargest;
+        kx = axes[0] * accel::bvh::kBlockWidth;
+        ky = axes[1] * accel::bvh::kBlockWidth;
+        kz = axes[2] * accel::bvh::kBlockWidth;
     }
 };
 
