@@ -7,6 +7,7 @@
 #define PEREGRINE_TRACE_BVH_SINGLE_INL_H
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "trace/bvh/block-inl.h"
@@ -31,6 +32,7 @@ HWY_INLINE HWY_ATTR uint32_t visit_from_near(const Node* nodes, const NodeRay& r
     for (;;) {
         if (!link.is_leaf()) {
             const Node& node = nodes[link.node()];
+            hwy::Prefetch(node.child);
             const Entered entered(ray, node, begin, hn::Set(k8, t_max));
             ++visited;
             if (entered.children) {
