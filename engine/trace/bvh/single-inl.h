@@ -129,9 +129,12 @@ HWY_ATTR bool occluded(const Target& target, const math::Ray& ray, const Filter&
             const Block* block = target.bvh_blocks + link.first_block();
             const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
             for (; block <= last; ++block) {
+                if (!Filtered) {
+                    if (intersects(block_ray, *block)) return true;
+                    continue;
+                }
                 BlockHits hits;
                 if (!intersect(block_ray, *block, block_ray.t_max, hits)) continue;
-                if (!Filtered) return true;
                 for (uint32_t hit = hits.lanes; hit; hit &= hit - 1) {
                     const uint32_t i = uint32_t(std::countr_zero(hit));
                     if (filter.accepts(target.infos[block->triangle[i]], hits.back_faces >> i & 1,
