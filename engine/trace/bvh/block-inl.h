@@ -27,8 +27,8 @@ struct BlockRay {
     V4 sx, sy;
     Vd dz;
     float t_min, t_max;
-    V4 dz_abs, reach; // |d[kz]|; the largest |vertex - origin| along an axis, or more
-    V4 z_sign;        // the sign of d[kz]
+    V4 dz_abs, reach;  // |d[kz]|; the largest |vertex - origin| along an axis, or more
+    V4 z_sign;         // the sign of d[kz]
     size_t kx, ky, kz; // offsets of the axes in a vertex of a block, in floats
 
     // geometry::shear, without a branch on which axis is the largest.
@@ -107,11 +107,14 @@ struct EdgeSigns {
 // By how much t lies inside its range, in float and without a division: the lesser of
 // depth - t_min |dz| |det| and t_max |dz| |det| - depth, and how far off that can be.
 //
-// With X, Y the largest |x|, |y| of a triangle, Z and T the largest |z| and |t dz| of interest, both
-// at most D = `reach`, e = 2^-24: an edge function is at most 2 X Y and off by 4.1 e X Y; det by
-// 22.1 e X Y; depth by 28.1 e X Y Z. Products and differences add 12 e X Y Z and 24 e X Y T, with
-// the rounding of the exact t to float. The sum is below 87 e X Y D; 128 e X Y D is taken, and
-// 2^-100 for what is lost in the denormal range.
+// With X, Y, Z the largest |x|, |y|, |z| of a triangle, T the largest |t dz| of interest,
+// Z <= D = `reach`, T <= 2 D, e = 2^-24: an edge function is at most 2 X Y and off by 4.1 e X Y; so
+// det is off by 22.4 e X Y, depth by 28.4 e X Y Z. Their part in the margin is 73.2 e X Y D; the
+// products with T, the differences and the rounding of the exact t to float add 48 e X Y D. The sum
+// is 121.2 e X Y D; 128 are taken, and 2^-100 for what is lost in the denormal range. (Should the
+// float det have the wrong sign, then it and the exact one are below 22.4 e X Y, and the margin is
+// within the same bound.) All numbers on the way are below 32 X Y D: where one overflows, so does
+// that, and nothing is certain.
 struct RangeMargin {
     V4 margin, error;
 
@@ -131,7 +134,8 @@ struct RangeMargin {
             return hn::Max(hn::Abs(a), hn::Max(hn::Abs(b), hn::Abs(c)));
         };
         const V4 xy = hn::Mul(largest(s.ax, s.bx, s.cx), largest(s.ay, s.by, s.cy));
-        error = hn::MulAdd(hn::Mul(xy, hn::Set(k4, 0x1p-16f)), ray.reach, hn::Set(k4, 0x1p-100f));
+        const V4 most = hn::Mul(xy, hn::Mul(hn::Set(k4, 32.0f), ray.reach));
+        error = hn::MulAdd(most, hn::Set(k4, 0x1p-21f), hn::Set(k4, 0x1p-100f));
     }
 
     HWY_INLINE HWY_ATTR M4 in_range() const { return hn::Gt(margin, error); }

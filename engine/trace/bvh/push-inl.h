@@ -1,5 +1,5 @@
-// The nodes that one ray goes through: which children it enters, and in which order. Included once
-// for each instruction set.
+// The nodes that one ray goes through: which children it enters, and in which
+// order. Included once for each instruction set.
 #if defined(PEREGRINE_TRACE_BVH_PUSH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PEREGRINE_TRACE_BVH_PUSH_INL_H
 #undef PEREGRINE_TRACE_BVH_PUSH_INL_H
@@ -7,6 +7,7 @@
 #define PEREGRINE_TRACE_BVH_PUSH_INL_H
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "accel/bvh/tree.h"
@@ -23,12 +24,13 @@ namespace peregrine::trace::bvh::HWY_NAMESPACE {
 using accel::bvh::Link;
 using accel::bvh::Node;
 
-// A ray's origin and direction, x, y, z and something else, and what they span; each number of
-// `reach` and `largest` is in all lanes.
+// A ray's origin and direction, x, y, z and something else, and what they span;
+// each number of `reach` and `largest` is in all lanes.
 struct RayLanes {
     V4 origin, direction;
-    V4 reach;   // the largest distance along an axis from the origin to a corner of the bounds
-    V4 largest; // component of the direction, without its sign
+    V4 reach;    // the largest distance along an axis from the origin to a corner of
+                 // the bounds
+    V4 largest;  // component of the direction, without its sign
     uint32_t kz; // its axis, the smaller one of equals
 
     HWY_INLINE HWY_ATTR RayLanes(const math::Box& bounds, const math::Ray& ray) {
@@ -50,29 +52,36 @@ struct RayLanes {
     }
 };
 
-// The planes of a box, times `inverse`, plus these give where the ray enters and leaves it, widened
-// by the margin of trace/slabs.h. Multiplied out, b / d - o / d may be off by the rounding of o /
-// d, 3 e |o / d| with the sums, in addition to what slabs.h counts; 4 e |o / d| are added for it.
+// The planes of a box, times `inverse`, plus these give where the ray enters
+// and leaves it, widened by the margin of trace/slabs.h. Multiplied out, (o +-
+// margin) / d is off by 3 e |o / d| (two sums and a product), in addition to
+// what slabs.h counts; 4 e |o / d| are added for it.
+//
+// The first box waits for these numbers, so the chain of operations is short:
+// beside the division go the margins, which with |1 / d| outside need no more
+// than a product afterwards, and the bound of |1 / d|: 2^26 / |d|_inf or up to
+// an eighth more, from the exponent alone.
 struct NodeRay {
     V8 inverse[3];
     V8 enter[3], leave[3];
     size_t enter_plane[3], leave_plane[3]; // offsets in a node, in floats
 
     HWY_INLINE HWY_ATTR explicit NodeRay(const RayLanes& ray) {
-        const V4 smallest = hn::Mul(hn::Set(k4, 0x1p-26f), ray.largest);
-        const V4 direction =
-            hn::IfThenElse(hn::Lt(hn::Abs(ray.direction), smallest),
-                           hn::CopySign(smallest, ray.direction), ray.direction);
-        const V4 inverses = hn::Div(hn::Set(k4, 1.0f), direction);
-        const V4 offset = hn::Mul(ray.origin, inverses);
-        const V4 margin =
-            hn::MulAdd(hn::Mul(hn::Set(k4, 0x1p-20f), ray.reach), hn::Abs(inverses),
-                       hn::Mul(hn::Set(k4, 0x1p-22f), hn::Abs(offset)));
+        const hn::RebindToUnsigned<D4> u4;
+        const V4 signs = hn::And(ray.direction, hn::Set(k4, -0.0f));
+        const V4 bound = hn::BitCast(
+            k4, hn::Sub(hn::Set(u4, (2 * 127u + 26u) << 23), hn::BitCast(u4, ray.largest)));
+        const V4 size = hn::Min(hn::Abs(hn::Div(hn::Set(k4, 1.0f), ray.direction)), bound);
+        const V4 along = hn::Xor(ray.origin, signs);
+        const V4 rounding = hn::Mul(hn::Set(k4, 0x1p-22f), hn::Abs(ray.origin));
+        const V4 scale = hn::Set(k4, 0x1p-20f);
+        const V4 behind = hn::MulAdd(ray.reach, scale, hn::Add(rounding, along));
+        const V4 ahead = hn::MulAdd(ray.reach, scale, hn::Sub(rounding, along));
         alignas(16) float inverse_of[4], enter_of[4], leave_of[4];
-        hn::Store(inverses, k4, inverse_of);
-        hn::Store(hn::Neg(hn::Add(offset, margin)), k4, enter_of);
-        hn::Store(hn::Sub(margin, offset), k4, leave_of);
-        const size_t octant = bits_of(k4, hn::Lt(inverses, hn::Zero(k4)));
+        hn::Store(hn::Or(size, signs), k4, inverse_of);
+        hn::Store(hn::Mul(hn::Neg(behind), size), k4, enter_of);
+        hn::Store(hn::Mul(ahead, size), k4, leave_of);
+        const size_t octant = bits_of(k4, hn::Lt(hn::Or(signs, hn::Set(k4, 1.0f)), hn::Zero(k4)));
         for (size_t k = 0; k < 3; ++k) {
             inverse[k] = hn::Set(k8, inverse_of[k]);
             enter[k] = hn::Set(k8, enter_of[k]);
@@ -119,8 +128,9 @@ HWY_INLINE HWY_ATTR uint32_t leaves_of(const Node& node) {
     return bits;
 }
 
-// A child and where the ray enters it, in one number: of those with t >= 0 the nearer is smaller.
-// (The order is for speed alone; negative t may come in any.)
+// A child and where the ray enters it, in one number: of those with t >= 0 the
+// nearer is smaller. (The order is for speed alone; negative t may come in
+// any.)
 struct Entry {
     static uint64_t of(const Node& node, const float* t_near, uint32_t child) {
         return uint64_t(std::bit_cast<uint32_t>(t_near[child])) << 32 | node.child[child].bits;
@@ -129,9 +139,16 @@ struct Entry {
     static Link link(uint64_t entry) { return {uint32_t(entry)}; }
 };
 
-// Puts all but the nearest of the children on the stack, near ones last, and returns the nearest.
-// There is at least one. Most nodes have one or two: those take no loop.
-HWY_INLINE HWY_ATTR Link push(const Node& node, const Entered& entered, uint64_t*& top) {
+HWY_INLINE HWY_ATTR void fetch(const Node& node) {
+    for (size_t line = 0; line < sizeof(Node); line += 64)
+        hwy::Prefetch(reinterpret_cast<const char*>(&node) + line);
+}
+
+// Puts all but the nearest of the children on the stack, near ones last, and
+// returns the nearest. There is at least one. Most nodes have one or two: those
+// take no loop.
+HWY_INLINE HWY_ATTR Link push(const Node* nodes, const Node& node, const Entered& entered,
+                              uint64_t*& top) {
     uint32_t children = entered.children;
     const auto next = [&]() HWY_ATTR {
         const uint32_t child = uint32_t(std::countr_zero(children));
@@ -140,11 +157,14 @@ HWY_INLINE HWY_ATTR Link push(const Node& node, const Entered& entered, uint64_t
     };
     const uint32_t first = next();
     if (children == 0) return node.child[first];
+    const uint32_t second = next();
+    for (const Link link : {node.child[first], node.child[second]})
+        if (!link.is_leaf()) fetch(nodes[link.node()]);
     alignas(32) float t_near[accel::bvh::kWidth];
     for (size_t i = 0; i < accel::bvh::kWidth / kLanes8; ++i)
         hn::Store(entered.t_near[i], k8, t_near + i * kLanes8);
     const uint64_t a = Entry::of(node, t_near, first);
-    const uint64_t b = Entry::of(node, t_near, next());
+    const uint64_t b = Entry::of(node, t_near, second);
     uint64_t nearest = std::min(a, b);
     uint64_t* const bottom = top;
     *top++ = std::max(a, b);

@@ -1,5 +1,5 @@
-// One ray through the wide BVH: eight boxes at a time, then four triangles at a time. Included once
-// for each instruction set by simd_kernels.cpp.
+// One ray through the wide BVH: eight boxes at a time, then four triangles at a
+// time. Included once for each instruction set by simd_kernels.cpp.
 #if defined(PEREGRINE_TRACE_BVH_SINGLE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PEREGRINE_TRACE_BVH_SINGLE_INL_H
 #undef PEREGRINE_TRACE_BVH_SINGLE_INL_H
@@ -19,8 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-// Goes through the nodes that the ray may touch up to t_max, roughly from near to far. `leaf(link)`
-// may lower t_max. Returns the number of nodes visited.
+// Goes through the nodes that the ray may touch up to t_max, roughly from near
+// to far. `leaf(link)` may lower t_max. Returns the number of nodes visited.
 template <class Leaf>
 HWY_INLINE HWY_ATTR uint32_t visit_from_near(const Node* nodes, const NodeRay& ray, float t_min,
                                              const float& t_max, Leaf&& leaf) {
@@ -36,7 +36,7 @@ HWY_INLINE HWY_ATTR uint32_t visit_from_near(const Node* nodes, const NodeRay& r
             const Entered entered(ray, node, begin, hn::Set(k8, t_max));
             ++visited;
             if (entered.children) {
-                link = push(node, entered, top);
+                link = push(nodes, node, entered, top);
                 continue;
             }
         } else {
@@ -50,8 +50,8 @@ HWY_INLINE HWY_ATTR uint32_t visit_from_near(const Node* nodes, const NodeRay& r
     }
 }
 
-// Goes through the nodes that the ray touches, in any order, leaves as soon as they are met.
-// `leaf(link)` returns true to stop; so does this.
+// Goes through the nodes that the ray touches, in any order, leaves as soon as
+// they are met. `leaf(link)` returns true to stop; so does this.
 template <class Leaf>
 HWY_INLINE HWY_ATTR bool visit_any(const Node* nodes, const NodeRay& ray, float t_min, float t_max,
                                    Leaf&& leaf) {
@@ -77,7 +77,10 @@ HWY_INLINE HWY_ATTR bool visit_any(const Node* nodes, const NodeRay& ray, float 
         }
         const uint32_t child = uint32_t(std::countr_zero(children));
         *top = {node, children & (children - 1)};
-        top += top->children != 0;
+        if (top->children) {
+            fetch(nodes[node->child[std::countr_zero(top->children)].node()]);
+            ++top;
+        }
         node = nodes + node->child[child].node();
     }
 }
@@ -92,8 +95,8 @@ HWY_ATTR Hit closest(const Target& target, const math::Ray& ray, const Filter& f
     float t_max = block_ray.t_max;
     Hit best = miss(0);
     const uint32_t steps = visit_from_near(
-        target.bvh_nodes, node_ray, ray.t_min, t_max,
-        [&](Link link) HWY_ATTR __attribute__((always_inline)) {
+        target.bvh_nodes, node_ray, ray.t_min,
+        t_max, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
             const Block* block = target.bvh_blocks + link.first_block();
             const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
             for (; block <= last; ++block) {
@@ -124,8 +127,8 @@ HWY_ATTR bool occluded(const Target& target, const math::Ray& ray, const Filter&
     const NodeRay node_ray(lanes);
     const BlockRay block_ray(lanes, ray);
     return visit_any(
-        target.bvh_nodes, node_ray, ray.t_min, block_ray.t_max,
-        [&](Link link) HWY_ATTR __attribute__((always_inline)) {
+        target.bvh_nodes, node_ray, ray.t_min,
+        block_ray.t_max, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
             const Block* block = target.bvh_blocks + link.first_block();
             const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
             for (; block <= last; ++block) {
