@@ -12,6 +12,9 @@
 #include "accel/bvh/tree.h"
 #include "geometry/intersect.h"
 #include "trace/bvh/lanes-inl.h"
+#include "trace/bvh/push-inl.h"
+
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
@@ -24,21 +27,36 @@ struct BlockRay {
     V4 sx, sy;
     Vd dz;
     float t_min, t_max;
-    uint32_t kx, ky, kz; // offsets of the axes in a vertex of a block, in floats
+    V4 dz_abs, reach;  // |d[kz]|; the largest |vertex - origin| along an axis, or more
+    V4 z_sign;         // the sign of d[kz]
+    size_t kx, ky, kz; // offsets of the axes in a vertex of a block, in floats
 
-    HWY_ATTR explicit BlockRay(const math::Ray& ray) {
-        const geometry::ShearedRay sheared = geometry::shear(ray);
-        ox = hn::Set(k4, ray.origin[sheared.kx]);
-        oy = hn::Set(k4, ray.origin[sheared.ky]);
-        oz = hn::Set(k4, ray.origin[sheared.kz]);
-        sx = hn::Set(k4, sheared.sx);
-        sy = hn::Set(k4, sheared.sy);
-        dz = hn::Set(kD, sheared.dz);
-        t_min = sheared.t_min;
-        t_max = sheared.t_max;
-        kx = uint32_t(sheared.kx) * accel::bvh::kBlockWidth;
-        ky = uint32_t(sheared.ky) * accel::bvh::kBlockWidth;
-        kz = uint32_t(sheared.kz) * accel::bvh::kBlockWidth;
+    // geometry::shear, without a branch on which axis is the largest.
+    HWY_INLINE HWY_ATTR BlockRay(const RayLanes& lanes, const math::Ray& ray) {
+        const hn::RebindToUnsigned<D4> u4;
+        alignas(16) static constexpr uint32_t kAxes[3][4] = {
+            {1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}};
+        const uint32_t* axes = kAxes[lanes.kz];
+        const auto turn = hn::IndicesFromVec(k4, hn::Load(u4, axes));
+        const V4 origin = hn::TableLookupLanes(lanes.origin, turn);
+        const V4 direction = hn::TableLookupLanes(lanes.direction, turn);
+        const V4 along = hn::Broadcast<2>(direction);
+        const V4 slope = hn::Div(direction, along);
+        ox = hn::Broadcast<0>(origin);
+        oy = hn::Broadcast<1>(origin);
+        oz = hn::Broadcast<2>(origin);
+        sx = hn::Broadcast<0>(slope);
+        sy = hn::Broadcast<1>(slope);
+        dz = promote_part(along, 0);
+        dz_abs = hn::Abs(along);
+        z_sign = hn::And(along, hn::Set(k4, -0.0f));
+        reach = lanes.reach;
+        t_min = ray.t_min;
+        constexpr float kLargest = std::numeric_limits<float>::max();
+        t_max = ray.t_max < kLargest ? ray.t_max : kLargest;
+        kx = axes[0] * accel::bvh::kBlockWidth;
+        ky = axes[1] * accel::bvh::kBlockWidth;
+        kz = axes[2] * accel::bvh::kBlockWidth;
     }
 };
 
@@ -64,15 +82,65 @@ struct ShearedBlock {
         shear(2, cx, cy, cz);
     }
 
-    // Lanes that the exact edge functions cannot reject for their signs.
-    HWY_INLINE HWY_ATTR uint32_t maybe() const {
-        const V4 u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
-        const V4 v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
-        const V4 w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+    HWY_INLINE HWY_ATTR V4 u() const { return hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)); }
+    HWY_INLINE HWY_ATTR V4 v() const { return hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)); }
+    HWY_INLINE HWY_ATTR V4 w() const { return hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax)); }
+};
+
+// The edge functions in float. Rounding is monotone: one that is not 0 has the sign of the exact
+// one, so `outside` lanes are missed for certain, and in `inside` lanes only t can miss.
+struct EdgeSigns {
+    V4 u, v, w;
+    M4 outside, inside;
+
+    HWY_INLINE HWY_ATTR explicit EdgeSigns(const ShearedBlock& s) : u(s.u()), v(s.v()), w(s.w()) {
         const V4 zero = hn::Zero(k4);
-        const auto outside = hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero),
-                                     hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
-        return ~bits_of(k4, outside) & 15u;
+        const V4 least = hn::Min(u, hn::Min(v, w));
+        const V4 most = hn::Max(u, hn::Max(v, w));
+        outside = hn::And(hn::Lt(least, zero), hn::Gt(most, zero));
+        inside = hn::Or(hn::Gt(least, zero), hn::Lt(most, zero));
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t maybe() const { return ~bits_of(k4, outside) & 15u; }
+};
+
+// By how much t lies inside its range, in float and without a division: the lesser of
+// depth - t_min |dz| |det| and t_max |dz| |det| - depth, and how far off that can be.
+//
+// With X, Y, Z the largest |x|, |y|, |z| of a triangle, T the largest |t dz| of interest,
+// Z <= D = `reach`, T <= 2 D, e = 2^-24: an edge function is at most 2 X Y and off by 4.1 e X Y; so
+// det is off by 22.4 e X Y, depth by 28.4 e X Y Z. Their part in the margin is 73.2 e X Y D; the
+// products with T, the differences and the rounding of the exact t to float add 48 e X Y D. The sum
+// is 121.2 e X Y D; 128 are taken, and 2^-100 for what is lost in the denormal range. (Should the
+// float det have the wrong sign, then it and the exact one are below 22.4 e X Y, and the margin is
+// within the same bound.) All numbers on the way are below 32 X Y D: where one overflows, so does
+// that, and nothing is certain.
+struct RangeMargin {
+    V4 margin, error;
+
+    HWY_INLINE HWY_ATTR RangeMargin(const BlockRay& ray, const ShearedBlock& s, const EdgeSigns& e,
+                                    float t_max) {
+        const V4 det = hn::Add(hn::Add(e.u, e.v), e.w);
+        const V4 depth = hn::MulAdd(e.w, s.cz, hn::MulAdd(e.v, s.bz, hn::Mul(e.u, s.az)));
+        const V4 sign = hn::And(hn::Xor(det, ray.z_sign), hn::Set(k4, -0.0f));
+        const V4 along = hn::Xor(depth, sign);
+        const V4 size = hn::Abs(det);
+        // Beyond +-2 D there is nothing to hit.
+        const V4 limit = hn::Add(ray.reach, ray.reach);
+        const V4 z_min = hn::Max(hn::Mul(hn::Set(k4, ray.t_min), ray.dz_abs), hn::Neg(limit));
+        const V4 z_max = hn::Min(hn::Mul(hn::Set(k4, t_max), ray.dz_abs), limit);
+        margin = hn::Min(hn::NegMulAdd(z_min, size, along), hn::MulSub(z_max, size, along));
+        const auto largest = [](V4 a, V4 b, V4 c) HWY_ATTR {
+            return hn::Max(hn::Abs(a), hn::Max(hn::Abs(b), hn::Abs(c)));
+        };
+        const V4 xy = hn::Mul(largest(s.ax, s.bx, s.cx), largest(s.ay, s.by, s.cy));
+        const V4 most = hn::Mul(xy, hn::Mul(hn::Set(k4, 32.0f), ray.reach));
+        error = hn::MulAdd(most, hn::Set(k4, 0x1p-21f), hn::Set(k4, 0x1p-100f));
+    }
+
+    HWY_INLINE HWY_ATTR M4 in_range() const { return hn::Gt(margin, error); }
+    HWY_INLINE HWY_ATTR uint32_t maybe() const {
+        return ~bits_of(k4, hn::Lt(margin, hn::Neg(error))) & 15u;
     }
 };
 
@@ -108,16 +176,38 @@ HWY_INLINE HWY_ATTR uint32_t decide(const BlockRay& ray, const ShearedBlock& s, 
     return lanes << first;
 }
 
+HWY_INLINE HWY_ATTR bool decide(const BlockRay& ray, const ShearedBlock& s, float t_max,
+                                BlockHits& hits) {
+    hits.lanes = hits.back_faces = 0;
+    for (size_t first = 0; first < 4; first += kLanesD)
+        hits.lanes |= decide(ray, s, first, t_max, hits);
+    return hits.lanes != 0;
+}
+
 // The triangles of the block that the ray hits up to t_max; false if there are none.
 HWY_INLINE HWY_ATTR bool intersect(const BlockRay& ray, const Block& block, float t_max,
                                    BlockHits& hits) {
     const ShearedBlock sheared(ray, block);
-    const uint32_t maybe = sheared.maybe();
+    const EdgeSigns edges(sheared);
+    uint32_t maybe = edges.maybe();
     if (maybe == 0) return false;
-    hits.lanes = hits.back_faces = 0;
-    for (size_t first = 0; first < 4; first += kLanesD)
-        hits.lanes |= decide(ray, sheared, first, t_max, hits);
-    return hits.lanes != 0;
+    maybe &= RangeMargin(ray, sheared, edges, t_max).maybe();
+    return maybe != 0 && decide(ray, sheared, t_max, hits);
+}
+
+// Whether the ray hits a triangle of the block. Doubles decide what float is too coarse for: rays
+// through edges, and ends of rays on triangles.
+HWY_INLINE HWY_ATTR bool intersects(const BlockRay& ray, const Block& block) {
+    const ShearedBlock sheared(ray, block);
+    const EdgeSigns edges(sheared);
+    uint32_t maybe = edges.maybe();
+    if (maybe == 0) return false;
+    const RangeMargin range(ray, sheared, edges, ray.t_max);
+    if (bits_of(k4, hn::And(edges.inside, range.in_range()))) return true;
+    maybe &= range.maybe();
+    if (maybe == 0) return false;
+    BlockHits hits;
+    return decide(ray, sheared, ray.t_max, hits);
 }
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE

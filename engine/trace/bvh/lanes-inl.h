@@ -25,6 +25,7 @@ using M8 = hn::Mask<D8>;
 using D4 = hn::CappedTag<float, 4>;
 constexpr D4 k4;
 using V4 = hn::Vec<D4>;
+using M4 = hn::Mask<D4>;
 
 // ... in double: four, or two.
 using Dd = hn::CappedTag<double, 4>;
