@@ -13,11 +13,11 @@ inline constexpr float kOverlapOfNode = 0.1f;
 inline Effort effort_for(Quality quality) {
     switch (quality) {
     case Quality::fast:
-        return {16, 0, 16, 4, 0, 0, 67};
+        return {16, 0, true, 16, 4, 0, 0, 67};
     case Quality::best:
-        return {32, 32, 16, 1, 6, 0.3, 67};
+        return {32, 32, false, 16, 1, 6, 0.3, 67};
     default:
-        return {16, 16, 16, 2, 1, 0.25, 67};
+        return {16, 16, false, 16, 2, 1, 0.25, 67};
     }
 }
 

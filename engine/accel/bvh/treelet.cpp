@@ -9,13 +9,14 @@ namespace {
 
 class Treelet {
 public:
-    Treelet(std::span<Reference> references, uint32_t first, uint32_t leaf,
+    Treelet(std::span<Reference> references, const TreeletLeaves& leaves,
             base::Vector<BinaryNode>& nodes)
-        : references_(references), first_(first), leaf_(leaf), nodes_(nodes) {
+        : references_(references), leaves_(leaves), nodes_(nodes) {
         const uint32_t count = uint32_t(references.size());
         Bounds all;
         for (uint32_t i = 0; i < count; ++i) {
             boxes_[i] = references[i].bounds();
+            weights_[i] = references[i].weight();
             all.extend(boxes_[i]);
         }
         scale_ = scale_of(all);
@@ -25,6 +26,7 @@ public:
     void build() {
         const uint32_t count = uint32_t(references_.size());
         build_node(0, count);
+        if (leaves_.members) return;
         Reference sorted[kMaxTreelet];
         for (uint32_t i = 0; i < count; ++i) sorted[i] = references_[sorted_[0][i]];
         std::copy_n(sorted, count, references_.data());
@@ -51,13 +53,15 @@ private:
     }
 
     void build_node(uint32_t begin, uint32_t end) {
+        if (leaves_.members && end - begin == 1)
+            return build_cluster(references_[sorted_[0][begin]]);
         const uint32_t number = uint32_t(nodes_.size());
         BinaryNode& node = nodes_.emplace_back();
         Bounds bounds;
         for (uint32_t i = begin; i < end; ++i) bounds.extend(boxes_[sorted_[0][i]]);
         node.set_bounds(bounds);
-        if (end - begin <= leaf_) {
-            node.first = first_ + begin;
+        if (!leaves_.members && end - begin <= leaves_.most) {
+            node.first = leaves_.first + begin;
             node.second = BinaryNode::kLeaf | (end - begin);
             return;
         }
@@ -70,6 +74,11 @@ private:
         build_node(begin + best.lefts, end);
     }
 
+    void build_cluster(const Reference& cluster) {
+        build_treelet({leaves_.members + cluster.triangle(), cluster.weight()},
+                      {leaves_.most, cluster.triangle(), nullptr}, nodes_);
+    }
+
     float area(const Bounds& bounds) const {
         return half_area((bounds.upper - bounds.lower) * scale_);
     }
@@ -79,14 +88,18 @@ private:
         const uint32_t count = end - begin;
         float right_cost[kMaxTreelet];
         Bounds box;
+        uint32_t weight = 0;
         for (uint32_t i = count - 1; i > 0; --i) {
             box.extend(boxes_[sorted[i]]);
-            right_cost[i] = area(box) * blocks_of(count - i);
+            weight += weights_[sorted[i]];
+            right_cost[i] = area(box) * blocks_of(weight);
         }
         box = {};
+        weight = 0;
         for (uint32_t i = 1; i < count; ++i) {
             box.extend(boxes_[sorted[i - 1]]);
-            const float cost = area(box) * blocks_of(i) + right_cost[i];
+            weight += weights_[sorted[i - 1]];
+            const float cost = area(box) * blocks_of(weight) + right_cost[i];
             if (cost < best.cost) best = {cost, axis, i};
         }
     }
@@ -114,19 +127,19 @@ private:
     }
 
     std::span<Reference> references_;
-    uint32_t first_;
-    uint32_t leaf_;
+    TreeletLeaves leaves_;
     base::Vector<BinaryNode>& nodes_;
     Bounds boxes_[kMaxTreelet];
+    uint32_t weights_[kMaxTreelet];
     uint8_t sorted_[3][kMaxTreelet];
     float scale_;
 };
 
 } // namespace
 
-void build_treelet(std::span<Reference> references, uint32_t first, uint32_t leaf,
+void build_treelet(std::span<Reference> references, const TreeletLeaves& leaves,
                    base::Vector<BinaryNode>& nodes) {
-    Treelet(references, first, leaf, nodes).build();
+    Treelet(references, leaves, nodes).build();
 }
 
 } // namespace peregrine::accel::bvh
