@@ -3,6 +3,7 @@
 #include "accel/bvh/object_split.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace peregrine::accel::bvh {
 namespace {
@@ -20,7 +21,7 @@ public:
             all.extend(boxes_[i]);
         }
         scale_ = scale_of(all);
-        for (int axis = 0; axis < 3; ++axis) sort(axis, count);
+        for (int axis = 0; axis < 3; ++axis) sort(axis, count, 2 * all.lower[axis]);
     }
 
     void build() {
@@ -39,17 +40,18 @@ private:
         uint32_t lefts = 0;
     };
 
-    // By counting how many come before.
-    void sort(int axis, uint32_t count) {
-        float keys[kMaxTreelet];
-        for (uint32_t i = 0; i < count; ++i)
-            keys[i] = boxes_[i].lower[axis] + boxes_[i].upper[axis];
+    // By counting how many come before: all have different keys, as these end in the index.
+    void sort(int axis, uint32_t count, float origin) {
+        int32_t keys[kMaxTreelet];
+        int32_t places[kMaxTreelet] = {};
+        std::fill_n(keys, kMaxTreelet, std::numeric_limits<int32_t>::max());
         for (uint32_t i = 0; i < count; ++i) {
-            uint32_t place = 0;
-            for (uint32_t j = 0; j < i; ++j) place += keys[j] <= keys[i];
-            for (uint32_t j = i + 1; j < count; ++j) place += keys[j] < keys[i];
-            sorted_[axis][place] = uint8_t(i);
+            const float center = boxes_[i].lower[axis] + boxes_[i].upper[axis] - origin;
+            keys[i] = int32_t((std::bit_cast<uint32_t>(center) & ~(kMaxTreelet - 1)) | i);
         }
+        for (uint32_t j = 0; j < count; ++j)
+            for (uint32_t i = 0; i < kMaxTreelet; ++i) places[i] += keys[j] < keys[i];
+        for (uint32_t i = 0; i < count; ++i) sorted_[axis][places[i]] = uint8_t(i);
     }
 
     void build_node(uint32_t begin, uint32_t end) {

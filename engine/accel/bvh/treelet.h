@@ -7,7 +7,7 @@
 
 namespace peregrine::accel::bvh {
 
-inline constexpr uint32_t kMaxTreelet = 32;
+inline constexpr uint32_t kMaxTreelet = 16;
 
 struct TreeletLeaves {
     uint32_t most;      // references in one
