@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace peregrine::accel::bvh {
 namespace {
@@ -160,8 +161,8 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
     const Bounds& bounds = root.extent.bounds;
     tree.bounds = bounds.box();
     task.root_scale = scale_of(bounds);
-    task.least_overlap =
-        kOverlapOfRoot / float(count) * half_area((bounds.upper - bounds.lower) * task.root_scale);
+    task.least_overlap = kOverlapOfRoot / std::sqrt(float(count))
+                         * half_area((bounds.upper - bounds.lower) * task.root_scale);
 
     BinaryTree binary = build_binary(task, arena, root, scheduler);
     reinsert(task, scheduler, binary);

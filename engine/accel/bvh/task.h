@@ -26,6 +26,7 @@ struct Effort {
     uint32_t treelet;      // references, from which on every plane is tried
     uint32_t binary_leaf;  // references; the collapse joins leaves where that is cheaper
     uint32_t reinsertions; // rounds
+    double reinserted;     // part of the nodes in a round
     double duplicates;     // room for them, as a part of the triangles
     double bytes;          // wanted, per triangle
 };
