@@ -22,8 +22,8 @@ inline constexpr uint32_t kClusterDepth = 16;
 struct Effort {
     uint32_t bins;         // of small nodes; larger ones have more
     uint32_t spatial_bins; // 0: no spatial splits
-    bool clusters;         // of triangles instead of triangles
-    uint32_t treelet;      // references, from which on every plane is tried
+    bool clusters;         // are what the tree is built over at first
+    uint32_t treelet;      // references; so few have every plane tried
     uint32_t binary_leaf;  // references; the collapse joins leaves where that is cheaper
     uint32_t reinsertions; // rounds
     double reinserted;     // part of the nodes in a round
