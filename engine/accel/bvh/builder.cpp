@@ -1,5 +1,6 @@
 #include "accel/bvh/builder.h"
 
+#include "accel/bvh/clusters.h"
 #include "accel/bvh/collapse.h"
 #include "accel/bvh/effort.h"
 #include "accel/bvh/emit.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace peregrine::accel::bvh {
 namespace {
@@ -39,6 +41,30 @@ Extent make_references(std::span<const geometry::Triangle> triangles, base::Sche
         extent.centers.extend(part.centers);
     }
     return extent;
+}
+
+Range make_root(std::span<const geometry::Triangle> triangles, Task& task,
+                base::Scheduler& scheduler, Arena& arena, Clusters& clusters) {
+    uint32_t count = uint32_t(triangles.size());
+    Range root{};
+    if (task.effort.clusters) {
+        kdtree::Buffer<Reference> references(task.memory);
+        references.allocate(count);
+        const Extent extent = make_references(triangles, scheduler, task.memory, references.data());
+        make_clusters(task, references.data(), count, extent, scheduler, clusters);
+        task.members = clusters.members.data();
+        task.depth_limit = kMaxBinaryDepth - kClusterDepth;
+        count = uint32_t(clusters.groups.size());
+        arena.allocate(count);
+        std::copy(clusters.groups.begin(), clusters.groups.end(), arena.data());
+        root.extent = extent_of(clusters.groups);
+    } else {
+        arena.allocate(count + uint32_t(double(count) * task.effort.duplicates));
+        root.extent = make_references(triangles, scheduler, task.memory, arena.data());
+    }
+    root.end = count;
+    root.slots_end = arena.capacity();
+    return root;
 }
 
 // Large ones first, so that no thread is left with one at the end.
@@ -129,14 +155,14 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
     if (triangles.empty()) return tree;
 
     const uint32_t count = uint32_t(triangles.size());
-    Arena arena(count + uint32_t(double(count) * task.effort.duplicates), memory);
-    Range root{0, count, 0, arena.capacity(), 0, {}};
-    root.extent = make_references(triangles, scheduler, memory, arena.data());
+    Arena arena(memory);
+    Clusters clusters(memory);
+    Range root = make_root(triangles, task, scheduler, arena, clusters);
     const Bounds& bounds = root.extent.bounds;
     tree.bounds = bounds.box();
     task.root_scale = scale_of(bounds);
-    task.least_overlap =
-        kOverlapOfRoot / float(count) * half_area((bounds.upper - bounds.lower) * task.root_scale);
+    task.least_overlap = kOverlapOfRoot / std::sqrt(float(count))
+                         * half_area((bounds.upper - bounds.lower) * task.root_scale);
 
     BinaryTree binary = build_binary(task, arena, root, scheduler);
     reinsert(task, scheduler, binary);
@@ -144,9 +170,9 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
     if (wide.blocks > kMaxBlocks)
         base::fail(base::Code::limit, "the BVH would have more than %llu blocks of triangles",
                    static_cast<unsigned long long>(kMaxBlocks));
-    emit(task, binary, arena.data(), wide, scheduler, tree);
+    emit(task, binary, task.members ? task.members : arena.data(), wide, scheduler, tree);
 
-    tree.report.sah_cost = wide.cost;
+    tree.report.sah_cost = wide.cost / double(options.intersection_cost);
     tree.report.max_depth = wide.depth;
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;

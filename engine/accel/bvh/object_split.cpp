@@ -17,9 +17,10 @@ struct Bins {
     void add(const Reference& reference, const BinMapping& mapping) {
         const Bounds box = reference.bounds();
         const Ints bin = mapping(box.lower + box.upper);
+        const uint32_t weight = reference.weight();
         for (int axis = 0; axis < 3; ++axis) {
             bounds[bin[axis]][axis].extend(box);
-            ++counts[bin[axis]][axis];
+            counts[bin[axis]][axis] += weight;
         }
     }
 };

@@ -104,7 +104,9 @@ void halve(Arena& arena, const Range& range, Range& left, Range& right) {
     const Floats size = range.extent.centers.upper - range.extent.centers.lower;
     int axis = size[1] > size[0] ? 1 : 0;
     if (size[2] > size[axis]) axis = 2;
-    const uint32_t lefts = (range.size() / 2 + kBlockWidth - 1) / kBlockWidth * kBlockWidth;
+    const uint32_t half = range.size() / 2;
+    const uint32_t lefts =
+        range.size() > kBlockWidth ? (half + kBlockWidth - 1) / kBlockWidth * kBlockWidth : half;
     Reference* first = arena.data() + range.begin;
     std::nth_element(first, first + lefts, first + range.size(),
                      [axis](const Reference& a, const Reference& b) {

@@ -12,8 +12,11 @@ namespace peregrine::accel::bvh {
 // Two halves: a node's references move from one to the other when it is split.
 class Arena {
 public:
-    Arena(uint32_t capacity, base::Memory* memory) : capacity_(capacity), references_(memory) {
+    explicit Arena(base::Memory* memory) : references_(memory) {}
+
+    void allocate(uint32_t capacity) {
         references_.allocate(2 * size_t(capacity));
+        capacity_ = capacity;
     }
 
     uint32_t capacity() const { return capacity_; }
@@ -21,7 +24,7 @@ public:
     const Reference* data() const { return references_.data(); }
 
 private:
-    uint32_t capacity_;
+    uint32_t capacity_ = 0;
     kdtree::Buffer<Reference> references_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace peregrine::accel::bvh {
 
@@ -54,9 +55,10 @@ struct alignas(16) Reference {
     float lower[3];
     uint32_t biased_triangle;
     float upper[3];
-    uint32_t unused;
+    uint32_t biased_weight;
 
     uint32_t triangle() const { return biased_triangle - kBias; }
+    uint32_t weight() const { return biased_weight - kBias; } // triangles
 
     Bounds bounds() const {
         Bounds bounds;
@@ -68,12 +70,12 @@ struct alignas(16) Reference {
         const Bounds box = bounds();
         return box.lower + box.upper;
     }
-    static Reference make(uint32_t triangle, const Bounds& bounds) {
+    static Reference make(uint32_t triangle, const Bounds& bounds, uint32_t weight = 1) {
         Reference reference;
         std::memcpy(reference.lower, &bounds.lower, sizeof bounds.lower);
         std::memcpy(reference.upper, &bounds.upper, sizeof bounds.upper);
         reference.biased_triangle = triangle + kBias;
-        reference.unused = kBias;
+        reference.biased_weight = weight + kBias;
         return reference;
     }
 };

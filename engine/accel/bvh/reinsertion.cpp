@@ -40,8 +40,7 @@ public:
     }
 
     void run(base::Scheduler& scheduler) {
-        for (uint32_t i = 1; i < nodes_.size(); ++i)
-            if (parents_[i] != 0 && !is_whole(parents_[i])) moves_.push_back({0, i, kNone});
+        choose();
         const uint32_t count = uint32_t(moves_.size());
         scheduler.for_each((count + kSearchesPerTask - 1) / kSearchesPerTask, [&](uint32_t chunk) {
             if (task_.control.cancelled()) return;
@@ -50,13 +49,27 @@ public:
         });
         task_.control.throw_if_cancelled();
         std::erase_if(moves_, [](const Move& move) { return move.gain <= 0; });
-        std::sort(moves_.begin(), moves_.end(), [](const Move& a, const Move& b) {
-            return a.gain != b.gain ? a.gain > b.gain : a.node < b.node;
-        });
+        std::sort(moves_.begin(), moves_.end(), gains_more);
         for (const Move& move : moves_) apply(move);
     }
 
 private:
+    // The nodes with the largest areas have most to gain.
+    void choose() {
+        for (uint32_t i = 1; i < nodes_.size(); ++i)
+            if (parents_[i] != 0 && !is_whole(parents_[i]))
+                moves_.push_back({area(bounds(i)), i, kNone});
+        const size_t chosen = size_t(double(moves_.size()) * task_.effort.reinserted);
+        if (chosen >= moves_.size()) return;
+        std::nth_element(moves_.begin(), moves_.begin() + ptrdiff_t(chosen), moves_.end(),
+                         gains_more);
+        moves_.resize(chosen);
+    }
+
+    static bool gains_more(const Move& a, const Move& b) {
+        return a.gain != b.gain ? a.gain > b.gain : a.node < b.node;
+    }
+
     // The place with the largest gain. Up from the node, the tree is as without it, and the
     // siblings' subtrees are searched, but for those that cannot gain more than was found.
     void search(Move& move) const {

@@ -19,8 +19,10 @@ uint32_t levels_for(uint32_t references) {
 
 // More bins take a large node hardly longer.
 constexpr uint32_t kManyReferences = 1024;
+constexpr uint32_t kFewReferences = 48;
 
 uint32_t bins_for(const Task& task, uint32_t references) {
+    if (references <= kFewReferences) return task.effort.bins / 2;
     if (references <= kManyReferences) return task.effort.bins;
     return std::min(kMaxBins, references <= 16 * kManyReferences ? 2 * task.effort.bins
                                                                  : 4 * task.effort.bins);
@@ -46,7 +48,7 @@ uint32_t add_node(base::Vector<BinaryNode>& nodes, const Range& range) {
 } // namespace
 
 void split_range(const Task& task, Arena& arena, const Range& range, Range& left, Range& right) {
-    if (range.depth + levels_for(range.size()) >= kMaxBinaryDepth)
+    if (range.depth + levels_for(range.size()) >= task.depth_limit)
         return halve(arena, range, left, right);
     const std::span<const Reference> references(arena.data() + range.begin, range.size());
     const uint32_t bins = bins_for(task, range.size());
@@ -69,11 +71,11 @@ void split_range(const Task& task, Arena& arena, const Range& range, Range& left
 
 void build_subtree(const Task& task, Arena& arena, const Range& range,
                    base::Vector<BinaryNode>& nodes) {
-    if (range.size() <= task.effort.treelet && range.depth + range.size() < kMaxBinaryDepth)
-        return build_treelet({arena.data() + range.begin, range.size()}, range.begin,
-                             task.effort.binary_leaf, nodes);
+    if (range.size() <= task.effort.treelet && range.depth + range.size() <= task.depth_limit + 1)
+        return build_treelet({arena.data() + range.begin, range.size()},
+                             {task.effort.binary_leaf, range.begin, task.members}, nodes);
     const uint32_t node = add_node(nodes, range);
-    if (range.size() <= task.effort.binary_leaf) return;
+    if (range.size() <= task.effort.binary_leaf && !task.members) return;
     if (range.size() >= kReferencesToAsk && task.control.cancelled()) return;
     Range left, right;
     split_range(task, arena, range, left, right);

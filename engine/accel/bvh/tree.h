@@ -54,7 +54,7 @@ struct alignas(16) Block {
 static_assert(sizeof(Block) == 160);
 
 struct BuildReport {
-    double sah_cost = 0; // expected cost of a ray through the bounds, in triangle tests
+    double sah_cost = 0; // expected cost of a ray through the bounds, in tests of blocks
     double build_ms = 0;
     uint32_t max_depth = 0; // levels of nodes
     uint64_t leaves = 0;

@@ -3,28 +3,31 @@
 #include "accel/bvh/object_split.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace peregrine::accel::bvh {
 namespace {
 
 class Treelet {
 public:
-    Treelet(std::span<Reference> references, uint32_t first, uint32_t leaf,
+    Treelet(std::span<Reference> references, const TreeletLeaves& leaves,
             base::Vector<BinaryNode>& nodes)
-        : references_(references), first_(first), leaf_(leaf), nodes_(nodes) {
+        : references_(references), leaves_(leaves), nodes_(nodes) {
         const uint32_t count = uint32_t(references.size());
         Bounds all;
         for (uint32_t i = 0; i < count; ++i) {
             boxes_[i] = references[i].bounds();
+            weights_[i] = references[i].weight();
             all.extend(boxes_[i]);
         }
         scale_ = scale_of(all);
-        for (int axis = 0; axis < 3; ++axis) sort(axis, count);
+        for (int axis = 0; axis < 3; ++axis) sort(axis, count, 2 * all.lower[axis]);
     }
 
     void build() {
         const uint32_t count = uint32_t(references_.size());
         build_node(0, count);
+        if (leaves_.members) return;
         Reference sorted[kMaxTreelet];
         for (uint32_t i = 0; i < count; ++i) sorted[i] = references_[sorted_[0][i]];
         std::copy_n(sorted, count, references_.data());
@@ -37,27 +40,30 @@ private:
         uint32_t lefts = 0;
     };
 
-    // By counting how many come before.
-    void sort(int axis, uint32_t count) {
-        float keys[kMaxTreelet];
-        for (uint32_t i = 0; i < count; ++i)
-            keys[i] = boxes_[i].lower[axis] + boxes_[i].upper[axis];
+    // By counting how many come before: all have different keys, as these end in the index.
+    void sort(int axis, uint32_t count, float origin) {
+        int32_t keys[kMaxTreelet];
+        int32_t places[kMaxTreelet] = {};
+        std::fill_n(keys, kMaxTreelet, std::numeric_limits<int32_t>::max());
         for (uint32_t i = 0; i < count; ++i) {
-            uint32_t place = 0;
-            for (uint32_t j = 0; j < i; ++j) place += keys[j] <= keys[i];
-            for (uint32_t j = i + 1; j < count; ++j) place += keys[j] < keys[i];
-            sorted_[axis][place] = uint8_t(i);
+            const float center = boxes_[i].lower[axis] + boxes_[i].upper[axis] - origin;
+            keys[i] = int32_t((std::bit_cast<uint32_t>(center) & ~(kMaxTreelet - 1)) | i);
         }
+        for (uint32_t j = 0; j < count; ++j)
+            for (uint32_t i = 0; i < kMaxTreelet; ++i) places[i] += keys[j] < keys[i];
+        for (uint32_t i = 0; i < count; ++i) sorted_[axis][places[i]] = uint8_t(i);
     }
 
     void build_node(uint32_t begin, uint32_t end) {
+        if (leaves_.members && end - begin == 1)
+            return build_cluster(references_[sorted_[0][begin]]);
         const uint32_t number = uint32_t(nodes_.size());
         BinaryNode& node = nodes_.emplace_back();
         Bounds bounds;
         for (uint32_t i = begin; i < end; ++i) bounds.extend(boxes_[sorted_[0][i]]);
         node.set_bounds(bounds);
-        if (end - begin <= leaf_) {
-            node.first = first_ + begin;
+        if (!leaves_.members && end - begin <= leaves_.most) {
+            node.first = leaves_.first + begin;
             node.second = BinaryNode::kLeaf | (end - begin);
             return;
         }
@@ -70,6 +76,11 @@ private:
         build_node(begin + best.lefts, end);
     }
 
+    void build_cluster(const Reference& cluster) {
+        build_treelet({leaves_.members + cluster.triangle(), cluster.weight()},
+                      {leaves_.most, cluster.triangle(), nullptr}, nodes_);
+    }
+
     float area(const Bounds& bounds) const {
         return half_area((bounds.upper - bounds.lower) * scale_);
     }
@@ -79,14 +90,18 @@ private:
         const uint32_t count = end - begin;
         float right_cost[kMaxTreelet];
         Bounds box;
+        uint32_t weight = 0;
         for (uint32_t i = count - 1; i > 0; --i) {
             box.extend(boxes_[sorted[i]]);
-            right_cost[i] = area(box) * blocks_of(count - i);
+            weight += weights_[sorted[i]];
+            right_cost[i] = area(box) * blocks_of(weight);
         }
         box = {};
+        weight = 0;
         for (uint32_t i = 1; i < count; ++i) {
             box.extend(boxes_[sorted[i - 1]]);
-            const float cost = area(box) * blocks_of(i) + right_cost[i];
+            weight += weights_[sorted[i - 1]];
+            const float cost = area(box) * blocks_of(weight) + right_cost[i];
             if (cost < best.cost) best = {cost, axis, i};
         }
     }
@@ -114,19 +129,19 @@ private:
     }
 
     std::span<Reference> references_;
-    uint32_t first_;
-    uint32_t leaf_;
+    TreeletLeaves leaves_;
     base::Vector<BinaryNode>& nodes_;
     Bounds boxes_[kMaxTreelet];
+    uint32_t weights_[kMaxTreelet];
     uint8_t sorted_[3][kMaxTreelet];
     float scale_;
 };
 
 } // namespace
 
-void build_treelet(std::span<Reference> references, uint32_t first, uint32_t leaf,
+void build_treelet(std::span<Reference> references, const TreeletLeaves& leaves,
                    base::Vector<BinaryNode>& nodes) {
-    Treelet(references, first, leaf, nodes).build();
+    Treelet(references, leaves, nodes).build();
 }
 
 } // namespace peregrine::accel::bvh

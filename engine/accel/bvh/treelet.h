@@ -7,12 +7,17 @@
 
 namespace peregrine::accel::bvh {
 
-inline constexpr uint32_t kMaxTreelet = 32;
+inline constexpr uint32_t kMaxTreelet = 16;
+
+struct TreeletLeaves {
+    uint32_t most;      // references in one
+    uint32_t first;     // number of the treelet's first reference
+    Reference* members; // of clusters, if the references are such
+};
 
 // Builds the nodes over few references by trying every plane between their centres, and sorts the
-// references so that each leaf's are side by side. `first` is the number of the first one,
-// `leaf` what a leaf may have.
-void build_treelet(std::span<Reference> references, uint32_t first, uint32_t leaf,
+// references so that each leaf's are side by side. Clusters become treelets of their own.
+void build_treelet(std::span<Reference> references, const TreeletLeaves& leaves,
                    base::Vector<BinaryNode>& nodes);
 
 } // namespace peregrine::accel::bvh
