@@ -18,10 +18,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-inline constexpr uint32_t kGroupRays = 16;
+inline constexpr uint32_t kGroupRays = 32;
 inline constexpr uint32_t kGroups = 16; // bits of a uint32_t tell which ones
 inline constexpr uint32_t kBeamRays = kGroups * kGroupRays;
-inline constexpr uint32_t kAllGroups = (1u << kGroups) - 1;
+inline constexpr uint32_t kAllRays = uint32_t((uint64_t(1) << kGroupRays) - 1); // of a group
 
 // Slopes of directions: those of the two lesser axes over that of the main axis.
 struct Window {
@@ -40,6 +40,7 @@ struct Beam {
     float center_p, center_q;
     uint32_t first, count; // rays of the stream
     uint32_t groups;       // bits
+    uint32_t endless;      // bits of groups of which no ray has an end or a hit yet
 
     // sx and sy of geometry::shear for rays whose main axis is kz, and their slopes p and q less
     // those of the centre.
@@ -62,6 +63,7 @@ struct Beam {
         for (size_t i = kLanes8; i < kGroupRays; i += kLanes8)
             largest = hn::Max(largest, hn::Load(k8, limits + i));
         group_limit[group] = hn::GetLane(hn::MaxOfLanes(k8, largest));
+        endless &= ~(1u << group);
     }
 
     // Groups of `mask` that can still be hit at z or beyond.
@@ -138,10 +140,12 @@ HWY_ATTR bool Beam::gather_rays(const RayStream& rays) {
     V8 last = hn::Zero(k8);
     V8 apart = hn::Zero(k8);
     const uint32_t group_count = (count + kGroupRays - 1) / kGroupRays;
+    endless = 0;
     for (uint32_t g = 0; g < group_count; ++g) {
         Extent extent;
         uint32_t steep = 0;
         V8 farthest = hn::Set(k8, -1.0f);
+        V8 soonest = hn::Set(k8, std::numeric_limits<float>::infinity());
         for (uint32_t i = g * kGroupRays; i < (g + 1) * kGroupRays; i += kLanes8) {
             // Places beyond the last ray repeat the middle one, without ever being hit.
             const M8 there = hn::FirstN(k8, Full ? kLanes8 : i < count ? count - i : 0);
@@ -175,8 +179,12 @@ HWY_ATTR bool Beam::gather_rays(const RayStream& rays) {
             if (!Full) end = hn::IfThenElse(there, end, hn::Set(k8, -1.0f));
             hn::Store(end, k8, limit + i);
             farthest = hn::Max(farthest, end);
+            soonest = hn::Min(soonest, end);
         }
         foreign[g] = steep;
+        const bool no_end =
+            hn::AllTrue(k8, hn::Eq(soonest, hn::Set(k8, std::numeric_limits<float>::infinity())));
+        endless |= uint32_t(no_end) << g;
         alignas(16) float reduced[4];
         hn::Store(extent.reduce(), k4, reduced);
         group_p0[g] = reduced[0];

@@ -24,7 +24,7 @@ constexpr float kLargestFloat = std::numeric_limits<float>::max();
 // Judges a group's candidates: kernel.take(at, lanes, verdict, dz, index) hears of eight at a time,
 // kernel.test_one(block, lane, at) is asked for those that stand alone or whose main axis is
 // another; `at` counts from the beam's first ray. Returns whether the kernel changed a limit.
-template <class Kernel>
+template <bool Inside, class Kernel>
 HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, const Facets& facets,
                                      const Block& block, uint32_t lane, uint32_t group,
                                      uint32_t candidates, Kernel& kernel) {
@@ -41,7 +41,7 @@ HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, co
         const uint32_t at = group * kGroupRays + i;
         const V8 dz = hn::LoadU(k8, rays.direction[beam.kz] + beam.first + at);
         const Verdict verdict =
-            judge(facet, hn::Load(k8, beam.sx + at), hn::Load(k8, beam.sy + at), dz);
+            judge<Inside>(facet, hn::Load(k8, beam.sx + at), hn::Load(k8, beam.sy + at), dz);
         changed |= kernel.take(at, mask_of(piece), verdict, dz, block.triangle[lane]);
     }
     for (; alone; alone &= alone - 1)
@@ -99,8 +99,11 @@ public:
 
     HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
                                    uint32_t group, const Candidates& rays) {
-        if (judge_group(beam_, rays_, facets, block, lane, group, rays.open, *this))
-            beam_.update_limit(group);
+        const bool changed =
+            rays.inside
+                ? judge_group<true>(beam_, rays_, facets, block, lane, group, rays.open, *this)
+                : judge_group<false>(beam_, rays_, facets, block, lane, group, rays.open, *this);
+        if (changed) beam_.update_limit(group);
     }
 
     HWY_INLINE HWY_ATTR bool take(uint32_t at, M8 lanes, const Verdict& verdict, V8 dz,
@@ -193,7 +196,7 @@ public:
         blocked_[group] |= certain;
         const uint32_t open = rays.open & ~certain;
         const bool changed =
-            open && judge_group(beam_, rays_, facets, block, lane, group, open, *this);
+            open && judge_group<false>(beam_, rays_, facets, block, lane, group, open, *this);
         if (certain || changed) beam_.update_limit(group);
     }
 

@@ -126,6 +126,7 @@ HWY_INLINE HWY_ATTR uint32_t BeamChildren::find_groups(const Beam& beam, uint32_
 struct Candidates {
     uint32_t open = 0;    // may hit
     uint32_t certain = 0; // of these, those that do hit, within their limits
+    bool inside = false;  // all open ones are between the edges for sure
 };
 
 // What a facet's window tells.
@@ -184,7 +185,17 @@ HWY_INLINE HWY_ATTR Candidates find_by_edges(const Beam& beam, const Facets& fac
         found.certain |= bits_of(k8, hn::And(certain, open)) << i;
     }
     if (!ahead) found.certain = 0;
+    found.inside = Inside;
     return found;
+}
+
+HWY_INLINE HWY_ATTR Candidates find_candidates(const Beam& beam, const Facets& facets,
+                                               uint32_t lane, uint32_t group, bool inside) {
+    if (facets.by_window >> lane & 1) return find_by_window(beam, facets, lane, group);
+    if (!inside) return find_by_edges<false>(beam, facets, lane, group);
+    if (!(beam.endless >> group & 1)) return find_by_edges<true>(beam, facets, lane, group);
+    const bool ahead = facets.nearest[lane] >= beam.last_begin;
+    return {kAllRays, ahead ? kAllRays : 0, true};
 }
 
 // Groups, as bits.
@@ -271,14 +282,11 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
         if (count - first < accel::bvh::kBlockWidth) lanes &= (1u << (count - first)) - 1;
         for (; lanes; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(__builtin_ctz(lanes));
-            const bool by_window = facets.by_window >> lane & 1;
             const GroupsOfFacet groups = find_groups(beam, facets, lane, mask);
             for (uint32_t left = groups.open; left; left &= left - 1) {
                 const uint32_t group = uint32_t(__builtin_ctz(left));
-                const Candidates rays = by_window ? find_by_window(beam, facets, lane, group)
-                                        : groups.inside >> group & 1
-                                            ? find_by_edges<true>(beam, facets, lane, group)
-                                            : find_by_edges<false>(beam, facets, lane, group);
+                const Candidates rays =
+                    find_candidates(beam, facets, lane, group, groups.inside >> group & 1);
                 if (rays.open) kernel.judge(facets, *block, lane, group, rays);
             }
         }

@@ -41,25 +41,30 @@ struct Verdict {
 struct PartOfVerdict {
     hn::Vec<Dfd> t, u, v, det;
 };
+template <bool Inside>
 HWY_INLINE HWY_ATTR PartOfVerdict judge_part(const Judge& facet, Vd ax, Vd ay, Vd bx, Vd by, Vd cx,
                                              Vd cy, Vd dz) {
     const Vd u = hn::MulSub(cx, by, hn::Mul(cy, bx));
     const Vd v = hn::MulSub(ax, cy, hn::Mul(ay, cx));
     const Vd w = hn::MulSub(bx, ay, hn::Mul(by, ax));
-    const Vd zero = hn::Zero(kD);
-    const auto outside =
-        hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero), hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
     const Vd det = hn::Add(hn::Add(u, v), w);
     const Vd depth = hn::Add(hn::Add(hn::Mul(u, facet.z_double[0]), hn::Mul(v, facet.z_double[1])),
                              hn::Mul(w, facet.z_double[2]));
     // det = 0 gives an infinite r, and then t is infinite or NaN, no hit either.
     const Vd r = hn::Div(hn::Set(kD, 1.0), hn::Mul(det, dz));
-    const Vd nan = hn::Set(kD, std::numeric_limits<double>::quiet_NaN());
-    return {hn::DemoteTo(kFd, hn::IfThenElse(outside, nan, hn::Mul(depth, r))),
-            hn::DemoteTo(kFd, hn::Mul(hn::Mul(v, dz), r)),
+    Vd t = hn::Mul(depth, r);
+    if (!Inside) {
+        const Vd zero = hn::Zero(kD);
+        const auto outside = hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero),
+                                     hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
+        t = hn::IfThenElse(outside, hn::Set(kD, std::numeric_limits<double>::quiet_NaN()), t);
+    }
+    return {hn::DemoteTo(kFd, t), hn::DemoteTo(kFd, hn::Mul(hn::Mul(v, dz), r)),
             hn::DemoteTo(kFd, hn::Mul(hn::Mul(w, dz), r)), hn::DemoteTo(kFd, det)};
 }
 
+// Inside: the edge functions have no sign to ask for.
+template <bool Inside>
 HWY_INLINE HWY_ATTR Verdict judge(const Judge& facet, V8 sx, V8 sy, V8 dz) {
     const auto shear = [](V8 a, V8 s, V8 z) HWY_ATTR { return hn::Sub(a, hn::Mul(s, z)); };
     const V8 ax = shear(facet.x[0], sx, facet.z[0]), ay = shear(facet.y[0], sy, facet.z[0]);
@@ -68,9 +73,9 @@ HWY_INLINE HWY_ATTR Verdict judge(const Judge& facet, V8 sx, V8 sy, V8 dz) {
     const auto low = [](V8 a) HWY_ATTR { return hn::PromoteTo(kD, hn::LowerHalf(kFd, a)); };
     const auto high = [](V8 a) HWY_ATTR { return hn::PromoteTo(kD, hn::UpperHalf(kFd, a)); };
     const PartOfVerdict a =
-        judge_part(facet, low(ax), low(ay), low(bx), low(by), low(cx), low(cy), low(dz));
-    const PartOfVerdict b =
-        judge_part(facet, high(ax), high(ay), high(bx), high(by), high(cx), high(cy), high(dz));
+        judge_part<Inside>(facet, low(ax), low(ay), low(bx), low(by), low(cx), low(cy), low(dz));
+    const PartOfVerdict b = judge_part<Inside>(facet, high(ax), high(ay), high(bx), high(by),
+                                               high(cx), high(cy), high(dz));
     return {hn::Combine(k8, b.t, a.t), hn::Combine(k8, b.u, a.u), hn::Combine(k8, b.v, a.v),
             hn::Combine(k8, b.det, a.det)};
 }
