@@ -1,0 +1,332 @@
+// Incoherent rays in flocks: rays of one octant go through the BVH together, node by node, with a
+// list of the rays that enter it for each child (Tsakok, "Faster Incoherent Rays: Multi-BVH Ray
+// Stream Tracing", HPG 2009). A ray meets the eight children at once; loops over rays have no
+// branches that depend on them. Included once for each instruction set.
+#if defined(PEREGRINE_TRACE_BVH_FLOCK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_BVH_FLOCK_INL_H
+#undef PEREGRINE_TRACE_BVH_FLOCK_INL_H
+#else
+#define PEREGRINE_TRACE_BVH_FLOCK_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "trace/bvh/plain.h"
+#include "trace/bvh/wave_blocks-inl.h"
+#include "trace/bvh/wave_rays-inl.h"
+
+#include <array>
+
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+#ifndef PW_N
+#define PW_N 256
+#endif
+inline constexpr uint32_t kFlockRays = PW_N;
+inline constexpr uint32_t kFlockStream = 1024; // rays set up at a time
+
+// For each set of eight 16-bit places the set ones first.
+struct Compress {
+    alignas(16) uint8_t bytes[256][16];
+};
+constexpr Compress make_compress() {
+    Compress table{};
+    for (uint32_t bits = 0; bits < 256; ++bits)
+        for (uint32_t i = 0, place = 0; i < 8; ++i)
+            if (bits >> i & 1) {
+                table.bytes[bits][2 * place] = uint8_t(2 * i);
+                table.bytes[bits][2 * place++ + 1] = uint8_t(2 * i + 1);
+            }
+    return table;
+}
+inline constexpr Compress kCompress = make_compress();
+
+#ifdef PW_STATS
+#include <cstdio>
+#include <x86intrin.h>
+struct PwStats { unsigned long n[8] = {}, c[8] = {}, p[8] = {}; ~PwStats() { for (int i = 0; i < 6; ++i) if (n[i]) std::printf("phase %d: %.2f per ray, %.1f per pass, %.1f cycles each, %.0f cycles a ray\n", i, double(n[i]) / double(n[4]), double(n[i]) / double(p[i]), double(c[i]) * 2.9/2.445 / double(n[i]), double(c[i])*2.9/2.445 / double(n[4])); } };
+inline PwStats pw;
+#define PW_T(i, k, x) do { unsigned long t0_ = __rdtsc(); pw.p[i]++; x; unsigned long dt_ = __rdtsc() - t0_; pw.n[i] += k; if (dt_ < 100000) pw.c[i] += dt_; } while (0)
+#else
+#define PW_T(i, k, x) x
+#endif
+
+// `Any`: the first hit found will do.
+template <bool Any, bool Filtered>
+class Flock {
+public:
+    HWY_ATTR Flock(const Target& target, const Filter& filter) : target_(target), filter_(filter) {}
+
+    // `irregular(ray)` answers a ray that is not for floats; `hit(ray, ...)` is told of each better
+    // hit; `done(ray, steps)` comes last.
+    template <class Irregular, class OnHit, class OnDone>
+    HWY_ATTR void trace(const RayStream& rays, uint32_t first, uint32_t count,
+                        Irregular&& irregular, OnHit&& hit, OnDone&& done) {
+        for (uint32_t& n : octant_count_) n = 0;
+        PW_T(4, count, start(rays, first, count, irregular));
+        for (uint32_t octant = 0; octant < 8; ++octant)
+            for (uint32_t i = 0; i < octant_count_[octant]; i += kFlockRays)
+                fly(octant, octant_[octant] + i,
+                    std::min(kFlockRays, octant_count_[octant] - i), hit);
+        if (!Any)
+            for (uint32_t i = 0; i < count; ++i) done(first + i, ray_[i].steps);
+    }
+
+private:
+    using Id = uint16_t;
+    struct Entry {
+        uint32_t link, begin, count;
+    };
+    struct Test {
+        uint32_t block, ray;
+    };
+    static constexpr uint32_t kTests = 2 * kFlockRays;
+    // A list is written in whole vectors, and read in vectors of sixteen.
+    static constexpr uint32_t kListSize = kFlockRays + 16;
+    static constexpr uint32_t kEntries = accel::bvh::kStackSize + accel::bvh::kWidth;
+
+    template <class Irregular>
+    HWY_ATTR void start(const RayStream& rays, uint32_t first, uint32_t count,
+                        Irregular&& irregular) {
+        for (uint32_t begin = 0; begin < count; begin += 8) {
+            WaveRay* places[8];
+            for (uint32_t i = 0; i < 8; ++i) places[i] = ray_ + begin + i;
+            const Launched launched = launch(target_.bounds, rays, first + begin, 0, places);
+            for (uint32_t i = 0; i < 8; ++i) {
+                const uint32_t octant =
+                    (uint32_t(ray_[begin + i].order) - uint32_t(offsetof(Node, order))) / 4;
+                octant_[octant][octant_count_[octant]] = Id(begin + i);
+                octant_count_[octant] += launched.alive >> i & 1;
+            }
+            for (uint32_t bits = launched.irregular; bits; bits &= bits - 1)
+                irregular(first + begin + uint32_t(__builtin_ctz(bits)));
+        }
+    }
+
+    template <class OnHit>
+    HWY_ATTR void fly(uint32_t octant, const Id* ids, uint32_t count, OnHit&& on_hit) {
+        entries_[0] = {0, 0, count};
+        std::copy_n(ids, count, lists_);
+        uint32_t depth = 1;
+        while (depth > 0) {
+            const Entry entry = entries_[--depth];
+            const Link link{entry.link};
+            if (depth > 0) prefetch(Link{entries_[depth - 1].link});
+            if (link.is_leaf()) {
+                meet(link, lists_ + entry.begin, entry.count, on_hit);
+            } else {
+                if (test_count_ > 0) settle(on_hit);
+                depth = enter(target_.bvh_nodes[link.node()], octant, entry, depth);
+            }
+        }
+        settle(on_hit);
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t enter(const Node& node, uint32_t octant, const Entry& entry,
+                                       uint32_t depth) {
+        const Id* ids = lists_ + entry.begin;
+        for (uint32_t i = 0; i < entry.count; i += 16)
+            _mm256_store_si256(reinterpret_cast<__m256i*>(ids_ + i),
+                               _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ids + i)));
+        PW_T(0, entry.count, test_children(node, octant, entry.count));
+        PW_T(5, entry.count, depth = push_children(node, octant, entry, depth));
+        return depth;
+    }
+
+    HWY_INLINE HWY_ATTR void test_children(const Node& node, uint32_t octant, uint32_t count) {
+        V8 enter_plane[3], leave_plane[3];
+        for (uint32_t k = 0; k < 3; ++k) {
+            const bool negative = octant >> k & 1;
+            enter_plane[k] = hn::Load(k8, negative ? node.upper[k] : node.lower[k]);
+            leave_plane[k] = hn::Load(k8, negative ? node.lower[k] : node.upper[k]);
+        }
+        for (uint32_t i = 0; i < count; ++i) {
+            WaveRay& ray = ray_[ids_[i]];
+            const auto enter = [&](int k) HWY_ATTR {
+                return hn::MulAdd(enter_plane[k], hn::Set(k8, ray.inverse[k]),
+                                  hn::Set(k8, ray.enter[k]));
+            };
+            const auto leave = [&](int k) HWY_ATTR {
+                return hn::MulAdd(leave_plane[k], hn::Set(k8, ray.inverse[k]),
+                                  hn::Set(k8, ray.leave[k]));
+            };
+            const V8 t_near =
+                hn::Max(hn::Max(enter(0), enter(1)), hn::Max(enter(2), hn::Set(k8, ray.t_near)));
+            const V8 t_far =
+                hn::Min(hn::Min(leave(0), leave(1)), hn::Min(leave(2), hn::Set(k8, ray.t_limit)));
+            entered_[i] = uint8_t(bits_of(k8, hn::Le(t_near, t_far)));
+            if (!Any) ++ray.steps;
+        }
+        // Beyond the list, up to a whole vector, nothing enters.
+        __builtin_memset(entered_ + count, 0, 8);
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t push_children(const Node& node, uint32_t octant,
+                                               const Entry& entry, uint32_t depth) {
+        uint32_t end = entry.begin;
+        const uint32_t order = node.order[octant];
+        for (uint32_t shift = 24; shift > 0;) {
+            shift -= 3;
+            const uint32_t child = order >> shift & 7;
+            const __m128i to_top = _mm_cvtsi32_si128(int(7 - child));
+            const uint32_t begin = end;
+            for (uint32_t i = 0; i < entry.count; i += 8) {
+                const __m128i entered = _mm_sll_epi16(
+                    _mm_loadl_epi64(reinterpret_cast<const __m128i*>(entered_ + i)), to_top);
+                const uint32_t bits = uint32_t(_mm_movemask_epi8(entered)) & 255;
+                const __m128i compress =
+                    _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.bytes[bits]));
+                const __m128i ids =
+                    _mm_load_si128(reinterpret_cast<const __m128i*>(ids_ + i));
+                _mm_storeu_si128(reinterpret_cast<__m128i*>(lists_ + end),
+                                 _mm_shuffle_epi8(ids, compress));
+                end += uint32_t(__builtin_popcount(bits));
+            }
+            entries_[depth] = {node.child[child].bits, begin, end - begin};
+            depth += end != begin;
+        }
+        return depth;
+    }
+
+    // Leaves in a row share the decisions: what the float filter lets through waits in `tests_`.
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void meet(Link link, const Id* ids, uint32_t count, OnHit&& on_hit) {
+        const uint32_t first = link.first_block();
+        const uint32_t last = first + (link.count() - 1) / accel::bvh::kBlockWidth;
+        for (uint32_t block = first; block <= last; ++block) {
+            if (test_count_ + count > kTests) settle(on_hit);
+            PW_T(1, count, filter_rays(block, ids, count));
+        }
+    }
+
+    HWY_INLINE HWY_ATTR void filter_rays(uint32_t index, const Id* ids, uint32_t count) {
+        const Block& block = target_.bvh_blocks[index];
+        uint32_t tests = test_count_;
+        for (uint32_t i = 0; i < count; ++i) {
+            const WaveRay& ray = ray_[ids[i]];
+            tests_[tests] = {index, ids[i]};
+            tests += (WaveBlock(ray, block).maybe() != 0) & (!Any || ray.t_limit >= ray.t_near);
+        }
+        test_count_ = tests;
+    }
+
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void settle(OnHit&& on_hit) {
+        PW_T(2, test_count_, settle_(on_hit));
+    }
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void settle_(OnHit&& on_hit) {
+        uint32_t found = 0;
+        for (uint32_t i = 0; i < test_count_; ++i) {
+            const Test test = tests_[i];
+            const WaveRay& ray = ray_[test.ray];
+            WaveHits& hits = found_[found];
+            WaveBlock(ray, target_.bvh_blocks[test.block]).decide(ray, hits);
+            tests_[found] = test;
+            found += hits.lanes != 0;
+        }
+        test_count_ = 0;
+        for (uint32_t i = 0; i < found; ++i)
+            accept(ray_[tests_[i].ray], target_.bvh_blocks[tests_[i].block], found_[i], on_hit);
+    }
+
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void accept(WaveRay& ray, const Block& block, const WaveHits& hits,
+                                    OnHit&& on_hit) {
+        if (Any && !Filtered) {
+            on_hit(ray.index, Hit{});
+            ray.t_limit = -std::numeric_limits<float>::infinity();
+            return;
+        }
+        for (uint32_t lanes = hits.lanes; lanes; lanes &= lanes - 1) {
+            const uint32_t lane = uint32_t(__builtin_ctz(lanes));
+            const uint32_t index = block.triangle[lane];
+            const float t = hits.t[lane];
+            if (!Any && !comes_first(t, index, ray.t_max, ray.best)) continue;
+            const bool back_face = hits.back_faces >> lane & 1;
+            if (Filtered
+                && !filter_.accepts(target_.infos[index], back_face, hits.u[lane], hits.v[lane]))
+                continue;
+            on_hit(ray.index, Hit{t, hits.u[lane], hits.v[lane], index, back_face, 0});
+            if (Any) {
+                ray.t_limit = -std::numeric_limits<float>::infinity();
+                return;
+            }
+            ray.best = index;
+            ray.t_max = t;
+            ray.t_limit = std::min(ray.t_limit, t);
+        }
+    }
+
+    HWY_INLINE HWY_ATTR void prefetch(Link link) const {
+        const char* p = link.is_leaf()
+                            ? reinterpret_cast<const char*>(target_.bvh_blocks + link.first_block())
+                            : reinterpret_cast<const char*>(target_.bvh_nodes + link.node());
+        for (int line = 0; line < 4; ++line) _mm_prefetch(p + 64 * line, _MM_HINT_T0);
+    }
+
+    const Target& target_;
+    const Filter& filter_;
+    uint32_t octant_count_[8];
+    Id octant_[8][kFlockStream + 16];
+    alignas(32) Id ids_[kListSize];
+    uint8_t entered_[kListSize];
+    Entry entries_[kEntries];
+    uint32_t test_count_ = 0;
+    Test tests_[kTests + 1];
+    alignas(64) WaveHits found_[kTests + 1];
+    WaveRay ray_[kFlockStream];
+    Id lists_[kEntries * kListSize];
+};
+
+template <bool Filtered>
+HWY_ATTR void closest_flock(const Target& target, const RayStream& rays, const Filter& filter,
+                            const HitStream& hits) {
+    const hn::RebindToUnsigned<D8> u8;
+    for (uint32_t i = 0; i < rays.count; i += 8) {
+        hn::StoreU(hn::Set(k8, std::numeric_limits<float>::infinity()), k8, hits.t + i);
+        hn::StoreU(hn::Zero(k8), k8, hits.u + i);
+        hn::StoreU(hn::Zero(k8), k8, hits.v + i);
+        hn::StoreU(hn::Set(u8, geometry::kNoTriangle), u8, hits.triangle + i);
+        hn::StoreU(hn::Zero(u8), u8, hits.back_face + i);
+        if (hits.steps) hn::StoreU(hn::Zero(u8), u8, hits.steps + i);
+    }
+    Flock<false, Filtered> flock(target, filter);
+    for (uint32_t first = 0; first < rays.count; first += kFlockStream)
+        flock.trace(
+            rays, first, std::min(kFlockStream, rays.count - first),
+            [&](uint32_t i) HWY_ATTR {
+                hits.store(i, closest_plain<Filtered, double>(target, ray_at(rays, i), filter));
+            },
+            [&](uint32_t i, const Hit& hit) HWY_ATTR {
+                hits.t[i] = hit.t;
+                hits.u[i] = hit.u;
+                hits.v[i] = hit.v;
+                hits.triangle[i] = hit.triangle;
+                hits.back_face[i] = hit.back_face;
+            },
+            [&](uint32_t i, uint32_t steps) HWY_ATTR {
+                if (hits.steps && steps) hits.steps[i] = steps;
+            });
+}
+
+template <bool Filtered>
+HWY_ATTR void occluded_flock(const Target& target, const RayStream& rays, const Filter& filter,
+                             uint8_t* occluded) {
+    std::fill_n(occluded, rays.count, uint8_t(0));
+    Flock<true, Filtered> flock(target, filter);
+    for (uint32_t first = 0; first < rays.count; first += kFlockStream)
+        flock.trace(
+            rays, first, std::min(kFlockStream, rays.count - first),
+            [&](uint32_t i) HWY_ATTR {
+                occluded[i] = occluded_plain<Filtered, double>(target, ray_at(rays, i), filter);
+            },
+            [&](uint32_t i, const Hit&) HWY_ATTR { occluded[i] = 1; }, [](uint32_t, uint32_t) {});
+}
+
+} // namespace peregrine::trace::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+#endif
