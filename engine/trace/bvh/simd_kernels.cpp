@@ -12,7 +12,7 @@
 #if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
 #include "trace/bvh/beam_kernels-inl.h"
 #include "trace/bvh/single-inl.h"
-#include "trace/bvh/flock-inl.h"
+#include "trace/bvh/wave-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
@@ -31,14 +31,14 @@ HWY_ATTR bool is_occluded(const Target& target, const math::Ray& ray, const Filt
 
 #if HWY_TARGET != HWY_AVX2 && HWY_TARGET != HWY_AVX3 // no waves there
 template <bool Filtered>
-HWY_ATTR void closest_flock(const Target& target, const RayStream& rays, const Filter& filter,
+HWY_ATTR void closest_wave(const Target& target, const RayStream& rays, const Filter& filter,
                            const HitStream& hits) {
     for (uint32_t i = 0; i < rays.count; ++i)
         hits.store(i, closest<Filtered>(target, ray_at(rays, i), filter));
 }
 
 template <bool Filtered>
-HWY_ATTR void occluded_flock(const Target& target, const RayStream& rays, const Filter& filter,
+HWY_ATTR void occluded_wave(const Target& target, const RayStream& rays, const Filter& filter,
                             uint8_t* result) {
     for (uint32_t i = 0; i < rays.count; ++i)
         result[i] = occluded<Filtered>(target, ray_at(rays, i), filter);
@@ -118,7 +118,7 @@ HWY_ATTR void closest_stream(const Target& target, const RayStream& rays, const 
         target, rays,
         [&](Beam& beam) HWY_ATTR { closest_beam<Filtered>(target, beam, rays, filter, hits); },
         [&](uint32_t first, uint32_t count) HWY_ATTR {
-            closest_flock<Filtered>(target, part_of(rays, first, count), filter,
+            closest_wave<Filtered>(target, part_of(rays, first, count), filter,
                                    part_of(hits, first));
         });
 }
@@ -130,7 +130,7 @@ HWY_ATTR void occluded_stream(const Target& target, const RayStream& rays, const
         target, rays,
         [&](Beam& beam) HWY_ATTR { occluded_beam<Filtered>(target, beam, rays, filter, result); },
         [&](uint32_t first, uint32_t count) HWY_ATTR {
-            occluded_flock<Filtered>(target, part_of(rays, first, count), filter, result + first);
+            occluded_wave<Filtered>(target, part_of(rays, first, count), filter, result + first);
         });
 }
 

@@ -1,12 +1,12 @@
-// Incoherent rays in flocks: rays of one octant go through the BVH together, node by node, with a
+// Incoherent rays in waves: rays of one octant go through the BVH together, node by node, with a
 // list of the rays that enter it for each child (Tsakok, "Faster Incoherent Rays: Multi-BVH Ray
 // Stream Tracing", HPG 2009). A ray meets the eight children at once; loops over rays have no
 // branches that depend on them. Included once for each instruction set.
-#if defined(PEREGRINE_TRACE_BVH_FLOCK_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef PEREGRINE_TRACE_BVH_FLOCK_INL_H
-#undef PEREGRINE_TRACE_BVH_FLOCK_INL_H
+#if defined(PEREGRINE_TRACE_BVH_WAVE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_BVH_WAVE_INL_H
+#undef PEREGRINE_TRACE_BVH_WAVE_INL_H
 #else
-#define PEREGRINE_TRACE_BVH_FLOCK_INL_H
+#define PEREGRINE_TRACE_BVH_WAVE_INL_H
 #endif
 
 #include <hwy/highway.h>
@@ -21,11 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-#ifndef PW_N
-#define PW_N 256
-#endif
-inline constexpr uint32_t kFlockRays = PW_N;
-inline constexpr uint32_t kFlockStream = 1024; // rays set up at a time
+inline constexpr uint32_t kWaveRays = 256;
+inline constexpr uint32_t kWaveStream = 1024; // rays set up at a time
 
 // For each set of eight 16-bit places the set ones first.
 struct Compress {
@@ -43,21 +40,11 @@ constexpr Compress make_compress() {
 }
 inline constexpr Compress kCompress = make_compress();
 
-#ifdef PW_STATS
-#include <cstdio>
-#include <x86intrin.h>
-struct PwStats { unsigned long n[8] = {}, c[8] = {}, p[8] = {}; ~PwStats() { for (int i = 0; i < 6; ++i) if (n[i]) std::printf("phase %d: %.2f per ray, %.1f per pass, %.1f cycles each, %.0f cycles a ray\n", i, double(n[i]) / double(n[4]), double(n[i]) / double(p[i]), double(c[i]) * 2.9/2.445 / double(n[i]), double(c[i])*2.9/2.445 / double(n[4])); } };
-inline PwStats pw;
-#define PW_T(i, k, x) do { unsigned long t0_ = __rdtsc(); pw.p[i]++; x; unsigned long dt_ = __rdtsc() - t0_; pw.n[i] += k; if (dt_ < 100000) pw.c[i] += dt_; } while (0)
-#else
-#define PW_T(i, k, x) x
-#endif
-
 // `Any`: the first hit found will do.
 template <bool Any, bool Filtered>
-class Flock {
+class Wave {
 public:
-    HWY_ATTR Flock(const Target& target, const Filter& filter) : target_(target), filter_(filter) {}
+    HWY_ATTR Wave(const Target& target, const Filter& filter) : target_(target), filter_(filter) {}
 
     // `irregular(ray)` answers a ray that is not for floats; `hit(ray, ...)` is told of each better
     // hit; `done(ray, steps)` comes last.
@@ -65,26 +52,27 @@ public:
     HWY_ATTR void trace(const RayStream& rays, uint32_t first, uint32_t count,
                         Irregular&& irregular, OnHit&& hit, OnDone&& done) {
         for (uint32_t& n : octant_count_) n = 0;
-        PW_T(4, count, start(rays, first, count, irregular));
+        start(rays, first, count, irregular);
         for (uint32_t octant = 0; octant < 8; ++octant)
-            for (uint32_t i = 0; i < octant_count_[octant]; i += kFlockRays)
-                fly(octant, octant_[octant] + i,
-                    std::min(kFlockRays, octant_count_[octant] - i), hit);
+            for (uint32_t i = 0; i < octant_count_[octant]; i += kWaveRays)
+                run(octant, octant_[octant] + i, std::min(kWaveRays, octant_count_[octant] - i),
+                    hit);
         if (!Any)
             for (uint32_t i = 0; i < count; ++i) done(first + i, ray_[i].steps);
     }
 
 private:
     using Id = uint16_t;
+    static constexpr float kNever = -std::numeric_limits<float>::infinity();
     struct Entry {
         uint32_t link, begin, count;
     };
     struct Test {
         uint32_t block, ray;
     };
-    static constexpr uint32_t kTests = 2 * kFlockRays;
+    static constexpr uint32_t kTests = 2 * kWaveRays;
     // A list is written in whole vectors, and read in vectors of sixteen.
-    static constexpr uint32_t kListSize = kFlockRays + 16;
+    static constexpr uint32_t kListSize = kWaveRays + 16;
     static constexpr uint32_t kEntries = accel::bvh::kStackSize + accel::bvh::kWidth;
 
     template <class Irregular>
@@ -106,7 +94,7 @@ private:
     }
 
     template <class OnHit>
-    HWY_ATTR void fly(uint32_t octant, const Id* ids, uint32_t count, OnHit&& on_hit) {
+    HWY_ATTR void run(uint32_t octant, const Id* ids, uint32_t count, OnHit&& on_hit) {
         entries_[0] = {0, 0, count};
         std::copy_n(ids, count, lists_);
         uint32_t depth = 1;
@@ -116,6 +104,7 @@ private:
             if (depth > 0) prefetch(Link{entries_[depth - 1].link});
             if (link.is_leaf()) {
                 meet(link, lists_ + entry.begin, entry.count, on_hit);
+                if (Any) settle(on_hit); // hit rays drop out
             } else {
                 if (test_count_ > 0) settle(on_hit);
                 depth = enter(target_.bvh_nodes[link.node()], octant, entry, depth);
@@ -130,8 +119,8 @@ private:
         for (uint32_t i = 0; i < entry.count; i += 16)
             _mm256_store_si256(reinterpret_cast<__m256i*>(ids_ + i),
                                _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ids + i)));
-        PW_T(0, entry.count, test_children(node, octant, entry.count));
-        PW_T(5, entry.count, depth = push_children(node, octant, entry, depth));
+        test_children(node, octant, entry.count);
+        depth = push_children(node, octant, entry, depth);
         return depth;
     }
 
@@ -178,8 +167,7 @@ private:
                 const uint32_t bits = uint32_t(_mm_movemask_epi8(entered)) & 255;
                 const __m128i compress =
                     _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.bytes[bits]));
-                const __m128i ids =
-                    _mm_load_si128(reinterpret_cast<const __m128i*>(ids_ + i));
+                const __m128i ids = _mm_load_si128(reinterpret_cast<const __m128i*>(ids_ + i));
                 _mm_storeu_si128(reinterpret_cast<__m128i*>(lists_ + end),
                                  _mm_shuffle_epi8(ids, compress));
                 end += uint32_t(__builtin_popcount(bits));
@@ -197,37 +185,59 @@ private:
         const uint32_t last = first + (link.count() - 1) / accel::bvh::kBlockWidth;
         for (uint32_t block = first; block <= last; ++block) {
             if (test_count_ + count > kTests) settle(on_hit);
-            PW_T(1, count, filter_rays(block, ids, count));
+            filter_rays(block, ids, count);
         }
     }
 
     HWY_INLINE HWY_ATTR void filter_rays(uint32_t index, const Id* ids, uint32_t count) {
         const Block& block = target_.bvh_blocks[index];
         uint32_t tests = test_count_;
-        for (uint32_t i = 0; i < count; ++i) {
-            const WaveRay& ray = ray_[ids[i]];
-            tests_[tests] = {index, ids[i]};
-            tests += (WaveBlock(ray, block).maybe() != 0) & (!Any || ray.t_limit >= ray.t_near);
+        const auto waits = [&](const WaveRay& ray, uint32_t maybe) HWY_ATTR {
+            return uint32_t(maybe != 0) & uint32_t(!Any || ray.t_limit >= ray.t_near);
+        };
+        for (uint32_t i = 0; i < count; i += 2) {
+            const uint32_t second = i + 1 < count;
+            const Id a = ids[i], b = ids[i + second];
+            const uint32_t maybe = maybe_of_two(ray_[a], ray_[b], block);
+            tests_[tests] = {index, a};
+            tests += waits(ray_[a], maybe & 15);
+            tests_[tests] = {index, b};
+            tests += second & waits(ray_[b], maybe >> 4);
         }
         test_count_ = tests;
     }
 
     template <class OnHit>
     HWY_INLINE HWY_ATTR void settle(OnHit&& on_hit) {
-        PW_T(2, test_count_, settle_(on_hit));
+        if constexpr (Any && !Filtered)
+            settle_any(on_hit);
+        else
+            settle_each(on_hit);
+        test_count_ = 0;
     }
+
     template <class OnHit>
-    HWY_INLINE HWY_ATTR void settle_(OnHit&& on_hit) {
+    HWY_INLINE HWY_ATTR void settle_any(OnHit&& on_hit) {
+        for (uint32_t i = 0; i < test_count_; ++i) {
+            WaveRay& ray = ray_[tests_[i].ray];
+            WaveHits hits;
+            WaveBlock(ray, target_.bvh_blocks[tests_[i].block]).template decide<false>(ray, hits);
+            on_hit(ray.index, hits.lanes != 0);
+            ray.t_limit = hits.lanes ? kNever : ray.t_limit;
+        }
+    }
+
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void settle_each(OnHit&& on_hit) {
         uint32_t found = 0;
         for (uint32_t i = 0; i < test_count_; ++i) {
             const Test test = tests_[i];
             const WaveRay& ray = ray_[test.ray];
             WaveHits& hits = found_[found];
-            WaveBlock(ray, target_.bvh_blocks[test.block]).decide(ray, hits);
+            WaveBlock(ray, target_.bvh_blocks[test.block]).template decide<true>(ray, hits);
             tests_[found] = test;
             found += hits.lanes != 0;
         }
-        test_count_ = 0;
         for (uint32_t i = 0; i < found; ++i)
             accept(ray_[tests_[i].ray], target_.bvh_blocks[tests_[i].block], found_[i], on_hit);
     }
@@ -235,11 +245,6 @@ private:
     template <class OnHit>
     HWY_INLINE HWY_ATTR void accept(WaveRay& ray, const Block& block, const WaveHits& hits,
                                     OnHit&& on_hit) {
-        if (Any && !Filtered) {
-            on_hit(ray.index, Hit{});
-            ray.t_limit = -std::numeric_limits<float>::infinity();
-            return;
-        }
         for (uint32_t lanes = hits.lanes; lanes; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(__builtin_ctz(lanes));
             const uint32_t index = block.triangle[lane];
@@ -249,14 +254,16 @@ private:
             if (Filtered
                 && !filter_.accepts(target_.infos[index], back_face, hits.u[lane], hits.v[lane]))
                 continue;
-            on_hit(ray.index, Hit{t, hits.u[lane], hits.v[lane], index, back_face, 0});
-            if (Any) {
-                ray.t_limit = -std::numeric_limits<float>::infinity();
+            if constexpr (Any) {
+                on_hit(ray.index, true);
+                ray.t_limit = kNever;
                 return;
+            } else {
+                on_hit(ray.index, Hit{t, hits.u[lane], hits.v[lane], index, back_face, 0});
+                ray.best = index;
+                ray.t_max = t;
+                ray.t_limit = std::min(ray.t_limit, t);
             }
-            ray.best = index;
-            ray.t_max = t;
-            ray.t_limit = std::min(ray.t_limit, t);
         }
     }
 
@@ -270,20 +277,20 @@ private:
     const Target& target_;
     const Filter& filter_;
     uint32_t octant_count_[8];
-    Id octant_[8][kFlockStream + 16];
+    Id octant_[8][kWaveStream + 16];
     alignas(32) Id ids_[kListSize];
     uint8_t entered_[kListSize];
     Entry entries_[kEntries];
     uint32_t test_count_ = 0;
-    Test tests_[kTests + 1];
+    Test tests_[kTests + 2];
     alignas(64) WaveHits found_[kTests + 1];
-    WaveRay ray_[kFlockStream];
+    WaveRay ray_[kWaveStream];
     Id lists_[kEntries * kListSize];
 };
 
 template <bool Filtered>
-HWY_ATTR void closest_flock(const Target& target, const RayStream& rays, const Filter& filter,
-                            const HitStream& hits) {
+HWY_ATTR void closest_wave(const Target& target, const RayStream& rays, const Filter& filter,
+                           const HitStream& hits) {
     const hn::RebindToUnsigned<D8> u8;
     for (uint32_t i = 0; i < rays.count; i += 8) {
         hn::StoreU(hn::Set(k8, std::numeric_limits<float>::infinity()), k8, hits.t + i);
@@ -293,10 +300,10 @@ HWY_ATTR void closest_flock(const Target& target, const RayStream& rays, const F
         hn::StoreU(hn::Zero(u8), u8, hits.back_face + i);
         if (hits.steps) hn::StoreU(hn::Zero(u8), u8, hits.steps + i);
     }
-    Flock<false, Filtered> flock(target, filter);
-    for (uint32_t first = 0; first < rays.count; first += kFlockStream)
-        flock.trace(
-            rays, first, std::min(kFlockStream, rays.count - first),
+    Wave<false, Filtered> wave(target, filter);
+    for (uint32_t first = 0; first < rays.count; first += kWaveStream)
+        wave.trace(
+            rays, first, std::min(kWaveStream, rays.count - first),
             [&](uint32_t i) HWY_ATTR {
                 hits.store(i, closest_plain<Filtered, double>(target, ray_at(rays, i), filter));
             },
@@ -313,17 +320,18 @@ HWY_ATTR void closest_flock(const Target& target, const RayStream& rays, const F
 }
 
 template <bool Filtered>
-HWY_ATTR void occluded_flock(const Target& target, const RayStream& rays, const Filter& filter,
-                             uint8_t* occluded) {
+HWY_ATTR void occluded_wave(const Target& target, const RayStream& rays, const Filter& filter,
+                            uint8_t* occluded) {
     std::fill_n(occluded, rays.count, uint8_t(0));
-    Flock<true, Filtered> flock(target, filter);
-    for (uint32_t first = 0; first < rays.count; first += kFlockStream)
-        flock.trace(
-            rays, first, std::min(kFlockStream, rays.count - first),
+    Wave<true, Filtered> wave(target, filter);
+    for (uint32_t first = 0; first < rays.count; first += kWaveStream)
+        wave.trace(
+            rays, first, std::min(kWaveStream, rays.count - first),
             [&](uint32_t i) HWY_ATTR {
                 occluded[i] = occluded_plain<Filtered, double>(target, ray_at(rays, i), filter);
             },
-            [&](uint32_t i, const Hit&) HWY_ATTR { occluded[i] = 1; }, [](uint32_t, uint32_t) {});
+            [&](uint32_t i, bool hit) HWY_ATTR { occluded[i] |= uint8_t(hit); },
+            [](uint32_t, uint32_t) {});
 }
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
