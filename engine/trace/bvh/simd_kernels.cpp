@@ -12,7 +12,7 @@
 #if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
 #include "trace/bvh/beam_kernels-inl.h"
 #include "trace/bvh/single-inl.h"
-#include "trace/bvh/wave-inl.h"
+#include "trace/bvh/wave_kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
@@ -28,22 +28,6 @@ HWY_ATTR bool is_occluded(const Target& target, const math::Ray& ray, const Filt
     return filter.trivial() ? occluded<false>(target, ray, filter)
                             : occluded<true>(target, ray, filter);
 }
-
-#if HWY_TARGET != HWY_AVX2 && HWY_TARGET != HWY_AVX3 // no waves there
-template <bool Filtered>
-HWY_ATTR void closest_wave(const Target& target, const RayStream& rays, const Filter& filter,
-                           const HitStream& hits) {
-    for (uint32_t i = 0; i < rays.count; ++i)
-        hits.store(i, closest<Filtered>(target, ray_at(rays, i), filter));
-}
-
-template <bool Filtered>
-HWY_ATTR void occluded_wave(const Target& target, const RayStream& rays, const Filter& filter,
-                            uint8_t* result) {
-    for (uint32_t i = 0; i < rays.count; ++i)
-        result[i] = occluded<Filtered>(target, ray_at(rays, i), filter);
-}
-#endif
 
 inline RayStream part_of(const RayStream& rays, uint32_t first, uint32_t count) {
     RayStream part = rays;
