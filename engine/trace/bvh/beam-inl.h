@@ -150,8 +150,10 @@ HWY_ATTR bool Beam::gather_rays(const RayStream& rays) {
             // Places beyond the last ray repeat the middle one, without ever being hit.
             const M8 there = hn::FirstN(k8, Full ? kLanes8 : i < count ? count - i : 0);
             const auto load = [&](const float* array) HWY_ATTR {
-                const V8 value = hn::LoadU(k8, array + first + i);
-                return Full ? value : hn::IfThenElse(there, value, hn::Set(k8, array[middle]));
+                if (Full) return hn::LoadU(k8, array + first + i);
+                const V8 stand_in = hn::Set(k8, array[middle]);
+                return i < count ? hn::IfThenElse(there, hn::LoadU(k8, array + first + i), stand_in)
+                                 : stand_in;
             };
             apart = hn::Or(apart, hn::Or(hn::Xor(load(rays.origin[0]), ox),
                                          hn::Or(hn::Xor(load(rays.origin[1]), oy),

@@ -83,15 +83,14 @@ public:
                 out.triangle + beam.first, out.back_face + beam.first, nullptr} {}
 
     HWY_ATTR void trace() {
-        const uint32_t padded = uint32_t(__builtin_popcount(beam_.groups)) * kGroupRays;
-        for (uint32_t i = 0; i < padded; i += kLanes8) {
+        for (uint32_t i = 0; i < beam_.count; i += kLanes8) {
             const V8 end =
                 hn::Min(hn::LoadU(k8, rays_.t_max + beam_.first + i), hn::Set(k8, kLargestFloat));
             hn::StoreU(end, k8, hits_.t + i);
             hn::StoreU(hn::Set(k8u, geometry::kNoTriangle), k8u, hits_.triangle + i);
         }
         const uint32_t steps = visit_beam(target_, beam_, *this);
-        for (uint32_t i = 0; i < padded; i += kLanes8) {
+        for (uint32_t i = 0; i < beam_.count; i += kLanes8) {
             finish_missed(i);
             if (out_.steps) hn::StoreU(hn::Set(k8u, steps), k8u, out_.steps + beam_.first + i);
         }

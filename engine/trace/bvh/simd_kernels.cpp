@@ -12,6 +12,7 @@
 #if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
 #include "trace/bvh/beam_kernels-inl.h"
 #include "trace/bvh/single-inl.h"
+#include "trace/bvh/wave_kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
@@ -28,43 +29,95 @@ HWY_ATTR bool is_occluded(const Target& target, const math::Ray& ray, const Filt
                             : occluded<true>(target, ray, filter);
 }
 
-// Rays with a common origin go as beams: as many at a time as make one, halves where they do not.
-template <class Beams, class Single>
-HWY_ATTR void split_into_beams(const Target& target, const RayStream& rays, uint32_t first,
-                               uint32_t count, Beams&& trace, Single&& trace_one) {
-    Beam beam;
-    if (count > kGroupRays / 2 && beam.gather(target, rays, first, count)) return trace(beam);
-    if (count <= kGroupRays) {
-        for (uint32_t i = first; i < first + count; ++i) trace_one(i);
-        return;
+inline RayStream part_of(const RayStream& rays, uint32_t first, uint32_t count) {
+    RayStream part = rays;
+    for (int k = 0; k < 3; ++k) {
+        part.origin[k] += first;
+        part.direction[k] += first;
     }
-    const uint32_t half = (count / 2 + kGroupRays - 1) / kGroupRays * kGroupRays;
-    split_into_beams(target, rays, first, half, trace, trace_one);
-    split_into_beams(target, rays, first + half, count - half, trace, trace_one);
+    part.t_min += first;
+    part.t_max += first;
+    part.count = count;
+    return part;
 }
+
+inline HitStream part_of(const HitStream& hits, uint32_t first) {
+    return {hits.t + first,         hits.u + first,
+            hits.v + first,         hits.triangle + first,
+            hits.back_face + first, hits.steps ? hits.steps + first : nullptr};
+}
+
+// Whether a beam is worth trying: a look at a few rays.
+inline bool may_be_beam(const RayStream& rays, uint32_t first, uint32_t count) {
+    if (rays.coherence == Coherence::incoherent) return false;
+    const uint32_t others[2] = {first + count / 2, first + count - 1};
+    for (const float* origin : rays.origin)
+        for (const uint32_t i : others)
+            if (origin[i] != origin[first]) return false;
+    return true;
+}
+
+// Rays with a common origin go as beams: as many at a time as make one, halves where they do not.
+// The others go in waves, as many as there are in a row.
+template <class Beams, class Waves>
+class Splitter {
+public:
+    HWY_ATTR Splitter(const Target& target, const RayStream& rays, Beams beams, Waves waves)
+        : target_(target), rays_(rays), beams_(beams), waves_(waves) {
+        for (uint32_t first = 0; first < rays.count; first += kBeamRays)
+            split(first, std::min(kBeamRays, rays.count - first));
+        flush(rays.count);
+    }
+
+private:
+    HWY_ATTR void split(uint32_t first, uint32_t count) {
+        if (count > kGroupRays / 2 && may_be_beam(rays_, first, count)
+            && beam_.gather(target_, rays_, first, count)) {
+            flush(first);
+            beams_(beam_);
+            waiting_ = first + count;
+        } else if (count > kGroupRays && rays_.coherence != Coherence::incoherent) {
+            const uint32_t half = (count / 2 + kGroupRays - 1) / kGroupRays * kGroupRays;
+            split(first, half);
+            split(first + half, count - half);
+        }
+    }
+
+    HWY_ATTR void flush(uint32_t end) {
+        if (end > waiting_) waves_(waiting_, end - waiting_);
+    }
+
+    const Target& target_;
+    const RayStream& rays_;
+    Beams beams_;
+    Waves waves_;
+    uint32_t waiting_ = 0; // first ray that was not traced yet
+    Beam beam_;
+};
 
 template <bool Filtered>
 HWY_ATTR void closest_stream(const Target& target, const RayStream& rays, const Filter& filter,
                              const HitStream& hits) {
-    for (uint32_t first = 0; first < rays.count; first += kBeamRays)
-        split_into_beams(
-            target, rays, first, std::min(kBeamRays, rays.count - first),
-            [&](Beam& beam)
-                HWY_ATTR { ClosestBeam<Filtered>(target, beam, rays, filter, hits).trace(); },
-            [&](uint32_t i)
-                HWY_ATTR { hits.store(i, closest<Filtered>(target, ray_at(rays, i), filter)); });
+    Splitter(
+        target, rays,
+        [&](Beam& beam)
+            HWY_ATTR { ClosestBeam<Filtered>(target, beam, rays, filter, hits).trace(); },
+        [&](uint32_t first, uint32_t count) HWY_ATTR {
+            closest_wave<Filtered>(target, part_of(rays, first, count), filter,
+                                   part_of(hits, first));
+        });
 }
 
 template <bool Filtered>
 HWY_ATTR void occluded_stream(const Target& target, const RayStream& rays, const Filter& filter,
                               uint8_t* result) {
-    for (uint32_t first = 0; first < rays.count; first += kBeamRays)
-        split_into_beams(
-            target, rays, first, std::min(kBeamRays, rays.count - first),
-            [&](Beam& beam)
-                HWY_ATTR { OccludedBeam<Filtered>(target, beam, rays, filter).trace(result); },
-            [&](uint32_t i)
-                HWY_ATTR { result[i] = occluded<Filtered>(target, ray_at(rays, i), filter); });
+    Splitter(
+        target, rays,
+        [&](Beam& beam)
+            HWY_ATTR { OccludedBeam<Filtered>(target, beam, rays, filter).trace(result); },
+        [&](uint32_t first, uint32_t count) HWY_ATTR {
+            occluded_wave<Filtered>(target, part_of(rays, first, count), filter, result + first);
+        });
 }
 
 HWY_ATTR void closest_hits(const Target& target, const RayStream& rays, const Filter& filter,

@@ -1,0 +1,294 @@
+// Incoherent rays in waves: rays of one octant go through the BVH together, node by node, with a
+// list of the rays that enter it for each child (Tsakok, "Faster Incoherent Rays: Multi-BVH Ray
+// Stream Tracing", HPG 2009). A ray meets the eight children at once; loops over rays have no
+// branches that depend on them. Included once for each instruction set.
+#if defined(PEREGRINE_TRACE_BVH_WAVE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_BVH_WAVE_INL_H
+#undef PEREGRINE_TRACE_BVH_WAVE_INL_H
+#else
+#define PEREGRINE_TRACE_BVH_WAVE_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "trace/bvh/plain.h"
+#include "trace/bvh/wave_blocks-inl.h"
+#include "trace/bvh/wave_rays-inl.h"
+
+#include <array>
+
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+inline constexpr uint32_t kWaveRays = 256;
+inline constexpr uint32_t kWaveStream = 1024; // rays set up at a time
+
+// For each set of eight 16-bit places the set ones first.
+struct Compress {
+    alignas(16) uint8_t bytes[256][16];
+};
+constexpr Compress make_compress() {
+    Compress table{};
+    for (uint32_t bits = 0; bits < 256; ++bits)
+        for (uint32_t i = 0, place = 0; i < 8; ++i)
+            if (bits >> i & 1) {
+                table.bytes[bits][2 * place] = uint8_t(2 * i);
+                table.bytes[bits][2 * place++ + 1] = uint8_t(2 * i + 1);
+            }
+    return table;
+}
+inline constexpr Compress kCompress = make_compress();
+
+// `Any`: the first hit found will do.
+template <bool Any, bool Filtered>
+class Wave {
+public:
+    HWY_ATTR Wave(const Target& target, const Filter& filter) : target_(target), filter_(filter) {}
+
+    // `irregular(ray)` answers a ray that is not for floats; `hit(ray, ...)` is told of each better
+    // hit; `done(ray, steps)` comes last.
+    template <class Irregular, class OnHit, class OnDone>
+    HWY_ATTR void trace(const RayStream& rays, uint32_t first, uint32_t count,
+                        Irregular&& irregular, OnHit&& hit, OnDone&& done) {
+        for (uint32_t& n : octant_count_) n = 0;
+        start(rays, first, count, irregular);
+        for (uint32_t octant = 0; octant < 8; ++octant)
+            for (uint32_t i = 0; i < octant_count_[octant]; i += kWaveRays)
+                run(octant, octant_[octant] + i, std::min(kWaveRays, octant_count_[octant] - i),
+                    hit);
+        if (!Any)
+            for (uint32_t i = 0; i < count; ++i) done(first + i, ray_[i].steps);
+    }
+
+private:
+    using Id = uint16_t;
+    static constexpr float kNever = -std::numeric_limits<float>::infinity();
+    struct Entry {
+        uint32_t link, begin, count;
+    };
+    struct Test {
+        uint32_t block, ray;
+    };
+    static constexpr uint32_t kTests = 2 * kWaveRays;
+    // A list is written in whole vectors, and read in vectors of sixteen.
+    static constexpr uint32_t kListSize = kWaveRays + 16;
+    static constexpr uint32_t kEntries = accel::bvh::kStackSize + accel::bvh::kWidth;
+
+    template <class Irregular>
+    HWY_ATTR void start(const RayStream& rays, uint32_t first, uint32_t count,
+                        Irregular&& irregular) {
+        for (uint32_t begin = 0; begin < count; begin += 8) {
+            WaveRay* places[8];
+            for (uint32_t i = 0; i < 8; ++i) places[i] = ray_ + begin + i;
+            const Launched launched = launch(target_.bounds, rays, first + begin, 0, places);
+            for (uint32_t i = 0; i < 8; ++i) {
+                const uint32_t octant =
+                    (uint32_t(ray_[begin + i].order) - uint32_t(offsetof(Node, order))) / 4;
+                octant_[octant][octant_count_[octant]] = Id(begin + i);
+                octant_count_[octant] += launched.alive >> i & 1;
+            }
+            for (uint32_t bits = launched.irregular; bits; bits &= bits - 1)
+                irregular(first + begin + uint32_t(__builtin_ctz(bits)));
+        }
+    }
+
+    template <class OnHit>
+    HWY_ATTR void run(uint32_t octant, const Id* ids, uint32_t count, OnHit&& on_hit) {
+        entries_[0] = {0, 0, count};
+        std::copy_n(ids, count, lists_);
+        uint32_t depth = 1;
+        while (depth > 0) {
+            const Entry entry = entries_[--depth];
+            const Link link{entry.link};
+            if (depth > 0) prefetch(Link{entries_[depth - 1].link});
+            if (link.is_leaf()) {
+                meet(link, lists_ + entry.begin, entry.count, on_hit);
+                if (Any) settle(on_hit); // hit rays drop out
+            } else {
+                if (test_count_ > 0) settle(on_hit);
+                depth = enter(target_.bvh_nodes[link.node()], octant, entry, depth);
+            }
+        }
+        settle(on_hit);
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t enter(const Node& node, uint32_t octant, const Entry& entry,
+                                       uint32_t depth) {
+        const Id* ids = lists_ + entry.begin;
+        for (uint32_t i = 0; i < entry.count; i += 16)
+            _mm256_store_si256(reinterpret_cast<__m256i*>(ids_ + i),
+                               _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ids + i)));
+        test_children(node, octant, entry.count);
+        depth = push_children(node, octant, entry, depth);
+        return depth;
+    }
+
+    HWY_INLINE HWY_ATTR void test_children(const Node& node, uint32_t octant, uint32_t count) {
+        V8 enter_plane[3], leave_plane[3];
+        for (uint32_t k = 0; k < 3; ++k) {
+            const bool negative = octant >> k & 1;
+            enter_plane[k] = hn::Load(k8, negative ? node.upper[k] : node.lower[k]);
+            leave_plane[k] = hn::Load(k8, negative ? node.lower[k] : node.upper[k]);
+        }
+        for (uint32_t i = 0; i < count; ++i) {
+            WaveRay& ray = ray_[ids_[i]];
+            const auto enter = [&](int k) HWY_ATTR {
+                return hn::MulAdd(enter_plane[k], hn::Set(k8, ray.inverse[k]),
+                                  hn::Set(k8, ray.enter[k]));
+            };
+            const auto leave = [&](int k) HWY_ATTR {
+                return hn::MulAdd(leave_plane[k], hn::Set(k8, ray.inverse[k]),
+                                  hn::Set(k8, ray.leave[k]));
+            };
+            const V8 t_near =
+                hn::Max(hn::Max(enter(0), enter(1)), hn::Max(enter(2), hn::Set(k8, ray.t_near)));
+            const V8 t_far =
+                hn::Min(hn::Min(leave(0), leave(1)), hn::Min(leave(2), hn::Set(k8, ray.t_limit)));
+            entered_[i] = uint8_t(bits_of(k8, hn::Le(t_near, t_far)));
+            if (!Any) ++ray.steps;
+        }
+        // Beyond the list, up to a whole vector, nothing enters.
+        __builtin_memset(entered_ + count, 0, 8);
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t push_children(const Node& node, uint32_t octant,
+                                               const Entry& entry, uint32_t depth) {
+        uint32_t end = entry.begin;
+        const uint32_t order = node.order[octant];
+        for (uint32_t shift = 24; shift > 0;) {
+            shift -= 3;
+            const uint32_t child = order >> shift & 7;
+            const __m128i to_top = _mm_cvtsi32_si128(int(7 - child));
+            const uint32_t begin = end;
+            for (uint32_t i = 0; i < entry.count; i += 8) {
+                const __m128i entered = _mm_sll_epi16(
+                    _mm_loadl_epi64(reinterpret_cast<const __m128i*>(entered_ + i)), to_top);
+                const uint32_t bits = uint32_t(_mm_movemask_epi8(entered)) & 255;
+                const __m128i compress =
+                    _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.bytes[bits]));
+                const __m128i ids = _mm_load_si128(reinterpret_cast<const __m128i*>(ids_ + i));
+                _mm_storeu_si128(reinterpret_cast<__m128i*>(lists_ + end),
+                                 _mm_shuffle_epi8(ids, compress));
+                end += uint32_t(__builtin_popcount(bits));
+            }
+            entries_[depth] = {node.child[child].bits, begin, end - begin};
+            depth += end != begin;
+        }
+        return depth;
+    }
+
+    // Leaves in a row share the decisions: what the float filter lets through waits in `tests_`.
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void meet(Link link, const Id* ids, uint32_t count, OnHit&& on_hit) {
+        const uint32_t first = link.first_block();
+        const uint32_t last = first + (link.count() - 1) / accel::bvh::kBlockWidth;
+        for (uint32_t block = first; block <= last; ++block) {
+            if (test_count_ + count > kTests) settle(on_hit);
+            filter_rays(block, ids, count);
+        }
+    }
+
+    HWY_INLINE HWY_ATTR void filter_rays(uint32_t index, const Id* ids, uint32_t count) {
+        const Block& block = target_.bvh_blocks[index];
+        uint32_t tests = test_count_;
+        const auto waits = [&](const WaveRay& ray, uint32_t maybe) HWY_ATTR {
+            return uint32_t(maybe != 0) & uint32_t(!Any || ray.t_limit >= ray.t_near);
+        };
+        for (uint32_t i = 0; i < count; i += 2) {
+            const uint32_t second = i + 1 < count;
+            const Id a = ids[i], b = ids[i + second];
+            const uint32_t maybe = maybe_of_two(ray_[a], ray_[b], block);
+            tests_[tests] = {index, a};
+            tests += waits(ray_[a], maybe & 15);
+            tests_[tests] = {index, b};
+            tests += second & waits(ray_[b], maybe >> 4);
+        }
+        test_count_ = tests;
+    }
+
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void settle(OnHit&& on_hit) {
+        if constexpr (Any && !Filtered)
+            settle_any(on_hit);
+        else
+            settle_each(on_hit);
+        test_count_ = 0;
+    }
+
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void settle_any(OnHit&& on_hit) {
+        for (uint32_t i = 0; i < test_count_; ++i) {
+            WaveRay& ray = ray_[tests_[i].ray];
+            WaveHits hits;
+            WaveBlock(ray, target_.bvh_blocks[tests_[i].block]).template decide<false>(ray, hits);
+            on_hit(ray.index, hits.lanes != 0);
+            ray.t_limit = hits.lanes ? kNever : ray.t_limit;
+        }
+    }
+
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void settle_each(OnHit&& on_hit) {
+        uint32_t found = 0;
+        for (uint32_t i = 0; i < test_count_; ++i) {
+            const Test test = tests_[i];
+            const WaveRay& ray = ray_[test.ray];
+            WaveHits& hits = found_[found];
+            WaveBlock(ray, target_.bvh_blocks[test.block]).template decide<true>(ray, hits);
+            tests_[found] = test;
+            found += hits.lanes != 0;
+        }
+        for (uint32_t i = 0; i < found; ++i)
+            accept(ray_[tests_[i].ray], target_.bvh_blocks[tests_[i].block], found_[i], on_hit);
+    }
+
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void accept(WaveRay& ray, const Block& block, const WaveHits& hits,
+                                    OnHit&& on_hit) {
+        for (uint32_t lanes = hits.lanes; lanes; lanes &= lanes - 1) {
+            const uint32_t lane = uint32_t(__builtin_ctz(lanes));
+            const uint32_t index = block.triangle[lane];
+            const float t = hits.t[lane];
+            if (!Any && !comes_first(t, index, ray.t_max, ray.best)) continue;
+            const bool back_face = hits.back_faces >> lane & 1;
+            if (Filtered
+                && !filter_.accepts(target_.infos[index], back_face, hits.u[lane], hits.v[lane]))
+                continue;
+            if constexpr (Any) {
+                on_hit(ray.index, true);
+                ray.t_limit = kNever;
+                return;
+            } else {
+                on_hit(ray.index, Hit{t, hits.u[lane], hits.v[lane], index, back_face, 0});
+                ray.best = index;
+                ray.t_max = t;
+                ray.t_limit = std::min(ray.t_limit, t);
+            }
+        }
+    }
+
+    HWY_INLINE HWY_ATTR void prefetch(Link link) const {
+        const char* p = link.is_leaf()
+                            ? reinterpret_cast<const char*>(target_.bvh_blocks + link.first_block())
+                            : reinterpret_cast<const char*>(target_.bvh_nodes + link.node());
+        for (int line = 0; line < 4; ++line) _mm_prefetch(p + 64 * line, _MM_HINT_T0);
+    }
+
+    const Target& target_;
+    const Filter& filter_;
+    uint32_t octant_count_[8];
+    Id octant_[8][kWaveStream + 16];
+    alignas(32) Id ids_[kListSize];
+    uint8_t entered_[kListSize];
+    Entry entries_[kEntries];
+    uint32_t test_count_ = 0;
+    Test tests_[kTests + 2];
+    alignas(64) WaveHits found_[kTests + 1];
+    WaveRay ray_[kWaveStream];
+    Id lists_[kEntries * kListSize];
+};
+
+} // namespace peregrine::trace::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+#endif
