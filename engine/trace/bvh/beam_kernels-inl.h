@@ -160,14 +160,14 @@ public:
     }
 
     HWY_INLINE HWY_ATTR bool test_one(const Block& block, uint32_t lane, uint32_t at) {
-        if (beam_.limit[at] < 0) return false; // already
+        if (beam_.limit[at] == kNever) return false; // already
         geometry::TriangleHit hit;
         if (!intersect_one(rays_, beam_.first + at, rays_.t_max[beam_.first + at], block, lane, hit)
             || (Filtered
                 && !filter_.accepts(target_.infos[block.triangle[lane]], hit.back_face, hit.u,
                                     hit.v)))
             return false;
-        beam_.limit[at] = -1;
+        beam_.limit[at] = kNever;
         blocked_[at / kGroupRays] |= 1u << at % kGroupRays;
         return true;
     }
@@ -175,7 +175,7 @@ public:
 private:
     HWY_INLINE HWY_ATTR void block_lanes(uint32_t at, M8 lanes) {
         const V8 limit = hn::Load(k8, beam_.limit + at);
-        hn::Store(hn::IfThenElse(lanes, hn::Set(k8, -1.0f), limit), k8, beam_.limit + at);
+        hn::Store(hn::IfThenElse(lanes, hn::Set(k8, kNever), limit), k8, beam_.limit + at);
     }
 
     const Target& target_;
