@@ -12,7 +12,7 @@ namespace peregrine::accel::bih {
 
 struct BuildOptions {
     float traversal_cost = 1.0f;    // of a node, ...
-    float intersection_cost = 2.0f; // ... of a triangle
+    float intersection_cost = 1.0f; // ... of a triangle
 };
 
 // The bounding interval hierarchy of Waechter and Keller (EGSR 2006): objects are sorted in place,

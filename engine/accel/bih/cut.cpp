@@ -1,6 +1,6 @@
 #include "accel/bih/cut.h"
 
-#include <cmath>
+#include <bit>
 
 namespace peregrine::accel::bih {
 namespace {
@@ -8,31 +8,32 @@ namespace {
 // Of a ray through a tight cell, about: what a ray through empty space saves.
 double cost_inside(const BuildOptions& costs, uint32_t references) {
     const double leaf = double(costs.intersection_cost) * references;
-    const double tree = 2 * double(costs.traversal_cost) * std::log2(double(references) + 1);
+    const double tree = 2 * double(costs.traversal_cost) * std::bit_width(references);
     return std::min(leaf, double(costs.intersection_cost) + tree);
 }
 
 } // namespace
 
 bool cut(const Task& task, Range& range, uint32_t child, Node& node) {
-    const double whole = half_area(range.cell);
-    double least = whole;
-    Bounds best = range.cell;
-    uint32_t best_axis = 0;
-    for (uint32_t axis = 0; axis < 3; ++axis) {
-        Bounds cell = range.cell;
-        cell.lower[axis] = range.extent.bounds.lower[axis];
-        cell.upper[axis] = range.extent.bounds.upper[axis];
-        const double area = half_area(cell);
-        if (!(area < least)) continue;
-        least = area;
-        best = cell;
-        best_axis = axis;
+    const bvh::Floats size = range.cell.upper - range.cell.lower;
+    const bvh::Floats tight = range.extent.bounds.upper - range.extent.bounds.lower;
+    const double sides[3] = {double(size[0]), double(size[1]), double(size[2])};
+    const double whole = sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0];
+    double most = 0;
+    uint32_t axis = 0;
+    for (uint32_t k = 0; k < 3; ++k) {
+        const double girth = sides[(k + 1) % 3] + sides[(k + 2) % 3];
+        const double area = (sides[k] - double(tight[int(k)])) * girth;
+        if (area > most) {
+            most = area;
+            axis = k;
+        }
     }
-    const double saved = (whole - least) * cost_inside(task.costs, range.size());
+    const double saved = most * cost_inside(task.costs, range.size());
     if (!(saved > double(task.costs.traversal_cost) * whole)) return false;
-    range.cell = best;
-    node = Node::cut(best_axis, best.lower[best_axis], best.upper[best_axis], child);
+    range.cell.lower[axis] = range.extent.bounds.lower[axis];
+    range.cell.upper[axis] = range.extent.bounds.upper[axis];
+    node = Node::cut(axis, range.cell.lower[axis], range.cell.upper[axis], child);
     return true;
 }
 

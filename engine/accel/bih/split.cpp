@@ -5,6 +5,8 @@
 namespace peregrine::accel::bih {
 namespace {
 
+using bvh::Floats;
+
 constexpr uint32_t kBins = 16;
 constexpr uint32_t kFewBins = 8;
 constexpr uint32_t kFewReferences = 24;
@@ -18,74 +20,82 @@ uint32_t levels_for(uint32_t references) {
     return uint32_t(std::bit_width(references - 1));
 }
 
-// What a child's planes need to know: where references with centres in the bin begin and end, along
-// the axis alone.
+// For each axis: where references with centres in the bin begin and end along it, and how many they
+// are. The plane between two bins needs no more, since a child's cell differs from its parent's in
+// one side alone.
 struct Bin {
-    float begin = Bounds::kInfinity;
-    float end = -Bounds::kInfinity;
-    uint32_t count = 0;
+    Floats begin, end, count;
 };
 
 struct Bins {
-    Bin axes[3][kBins];
+    Bin bins[kBins];
+
+    explicit Bins(uint32_t used) {
+        const Bounds none;
+        std::fill_n(bins, used, Bin{none.lower, none.upper, {}});
+    }
 
     void add(const Reference& reference, const bvh::BinMapping& mapping) {
-        const bvh::Ints place = mapping(reference.doubled_center());
+        const Bounds box = reference.bounds();
+        const bvh::Ints place = mapping(box.lower + box.upper);
         for (int axis = 0; axis < 3; ++axis) {
-            Bin& bin = axes[axis][place[axis]];
-            bin.begin = std::min(bin.begin, reference.lower[axis]);
-            bin.end = std::max(bin.end, reference.upper[axis]);
-            ++bin.count;
+            Bin& bin = bins[place[axis]];
+            bin.begin[axis] = std::min(bin.begin[axis], box.lower[axis]);
+            bin.end[axis] = std::max(bin.end[axis], box.upper[axis]);
+            ++bin.count[axis];
         }
     }
 };
 
-// The plane in front of bin `bin`. Costs are half areas times references.
+// The plane in front of bin `bin`. Costs are half areas, relative to the cell's, times references.
 struct Plane {
-    double cost = std::numeric_limits<double>::infinity();
+    float cost = Bounds::kInfinity;
     uint32_t axis = 0;
     uint32_t bin = 0;
 
-    bool found() const { return cost < std::numeric_limits<double>::infinity(); }
+    bool found() const { return cost < Bounds::kInfinity; }
 };
 
-// A child's cell differs from its parent's in one side alone, so its area is linear in its length.
-void sweep(const Bin* bins, uint32_t used, uint32_t axis, const Bounds& cell, Plane& best) {
-    const uint32_t a = (axis + 1) % 3, b = (axis + 2) % 3;
-    const double size_a = double(cell.upper[a]) - double(cell.lower[a]);
-    const double size_b = double(cell.upper[b]) - double(cell.lower[b]);
-    const double face = size_a * size_b;
-    const double girth = size_a + size_b;
-    double left_cost[kBins];
-    uint32_t count = 0;
-    float end = cell.lower[axis];
+// All axes at once.
+Plane sweep(const Bin* bins, uint32_t used, const Bounds& cell) {
+    const float scale = bvh::scale_of(cell);
+    const Floats size = (cell.upper - cell.lower) * scale;
+    const Floats a = {size[1], size[2], size[0], 0}, b = {size[2], size[0], size[1], 0};
+    const Floats face = a * b, girth = a + b;
+    const Floats never = {Bounds::kInfinity, Bounds::kInfinity, Bounds::kInfinity, 0};
+    Floats left_cost[kBins];
+    Floats count = {}, end = cell.lower;
     for (uint32_t i = 0; i + 1 < used; ++i) {
         count += bins[i].count;
-        end = std::max(end, bins[i].end);
-        const double length = double(end) - double(cell.lower[axis]);
-        left_cost[i] =
-            count > 0 ? count * (face + girth * length) : std::numeric_limits<double>::infinity();
+        end = bvh::max(end, bins[i].end);
+        const Floats cost = count * (face + girth * ((end - cell.lower) * scale));
+        left_cost[i] = count > 0 ? cost : never;
     }
-    count = 0;
-    float begin = cell.upper[axis];
+    count = Floats{};
+    Floats begin = cell.upper, best = never;
+    bvh::Ints best_bin = {};
     for (uint32_t i = used - 1; i > 0; --i) {
         count += bins[i].count;
-        begin = std::min(begin, bins[i].begin);
-        if (count == 0) continue;
-        const double length = double(cell.upper[axis]) - double(begin);
-        const double cost = left_cost[i - 1] + count * (face + girth * length);
-        if (cost < best.cost) best = {cost, axis, i};
+        begin = bvh::min(begin, bins[i].begin);
+        const Floats cost = count * (face + girth * ((cell.upper - begin) * scale));
+        const Floats both = left_cost[i - 1] + (count > 0 ? cost : never);
+        best_bin = both < best ? bvh::Ints{} + int32_t(i) : best_bin;
+        best = bvh::min(best, both);
     }
+    const float area = bvh::half_area(size);
+    Plane plane;
+    for (uint32_t axis = 0; axis < 3; ++axis)
+        if (best[axis] < plane.cost) plane = {best[axis], axis, uint32_t(best_bin[axis])};
+    if (area > 0) plane.cost /= area;
+    return plane;
 }
 
 Plane find_plane(const Task& task, const Range& range) {
     const uint32_t used = bins_for(range.size());
     const bvh::BinMapping mapping(range.extent.centers, used);
-    Bins bins;
+    Bins bins(used);
     for (uint32_t i = range.begin; i < range.end; ++i) bins.add(task.references[i], mapping);
-    Plane best;
-    for (uint32_t axis = 0; axis < 3; ++axis) sweep(bins.axes[axis], used, axis, range.cell, best);
-    return best;
+    return sweep(bins.bins, used, range.cell);
 }
 
 void partition(const Task& task, const Range& range, const Plane& plane, Halves& halves) {
@@ -113,7 +123,7 @@ void partition(const Task& task, const Range& range, const Plane& plane, Halves&
 // Equally many, whatever it costs: for objects that no plane separates, and for trees that have
 // grown deep.
 void halve(const Task& task, const Range& range, Halves& halves) {
-    const bvh::Floats size = range.extent.centers.upper - range.extent.centers.lower;
+    const Floats size = range.extent.centers.upper - range.extent.centers.lower;
     int axis = size[1] > size[0] ? 1 : 0;
     if (size[2] > size[axis]) axis = 2;
     Reference* begin = task.references + range.begin;
@@ -147,11 +157,10 @@ bool split(const Task& task, const Range& range, Halves& halves) {
     if (range.size() == 1) return false;
     Plane plane;
     if (range.depth + levels_for(range.size()) < kMaxDepth) plane = find_plane(task, range);
-    const double traversal = double(task.costs.traversal_cost);
-    const double intersection = double(task.costs.intersection_cost);
-    const double area = half_area(range.cell);
+    const float intersection = task.costs.intersection_cost;
     if (range.size() <= kMaxLeaf
-        && !(traversal * area + intersection * plane.cost < intersection * range.size() * area))
+        && !(task.costs.traversal_cost + intersection * plane.cost
+             < intersection * float(range.size())))
         return false;
     if (plane.found())
         partition(task, range, plane, halves);

@@ -47,7 +47,7 @@ uint32_t visit_leaves(const Target& target, const Slabs<Real>& ray, Leaf&& leaf)
         ++visited;
         if (node.is_leaf()) {
             if (leaf(node.first_reference(), node.reference_count(), t_limit)) return visited;
-            current.t_near = std::numeric_limits<Real>::infinity();
+            current = {1, 0};
         } else {
             const uint32_t k = node.axis();
             const uint32_t backwards = ray.inverse[k] < 0;
