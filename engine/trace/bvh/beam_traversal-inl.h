@@ -163,24 +163,26 @@ HWY_INLINE HWY_ATTR Candidates find_by_edges(const Beam& beam, const Facets& fac
             return hn::MulAdd(p, hn::Set(k8, a[lane]),
                               hn::MulAdd(q, hn::Set(k8, b[lane]), hn::Set(k8, c[lane])));
         };
+        const V8 limit = hn::Load(k8, beam.limit + at);
+        M8 open = hn::Ge(limit, nearest);
+        V8 least = hn::Zero(k8);
+        if (!Inside) {
+            least = hn::Min(linear(facets.a[0], facets.b[0], facets.c[0]),
+                            hn::Min(linear(facets.a[1], facets.b[1], facets.c[1]),
+                                    linear(facets.a[2], facets.b[2], facets.c[2])));
+            open = hn::And(open, hn::Ge(least, hn::Neg(tolerance)));
+        }
+        if (hn::AllFalse(k8, open)) continue;
         const V8 det = linear(facets.det_a, facets.det_b, facets.det_c);
         const V8 beyond = linear(facets.beyond_a, facets.beyond_b, facets.beyond_c);
-        const V8 limit = hn::Load(k8, beam.limit + at);
         // The limit is widened in `open` and narrowed in `certain` for its own rounding.
         const V8 further = hn::MulAdd(limit, hn::Set(k8, 1.0f + 0x1p-20f), hn::Neg(nearest));
         const V8 less_far = hn::MulSub(limit, hn::Set(k8, 1.0f - 0x1p-18f), nearest);
-        M8 open = hn::And(
-            hn::Le(hn::Sub(beyond, beyond_tolerance), hn::Mul(further, hn::Add(det, tolerance4))),
-            hn::Ge(limit, nearest));
+        open = hn::And(open, hn::Le(hn::Sub(beyond, beyond_tolerance),
+                                    hn::Mul(further, hn::Add(det, tolerance4))));
         M8 certain =
             hn::Le(hn::Add(beyond, beyond_tolerance), hn::Mul(less_far, hn::Sub(det, tolerance4)));
-        if (!Inside) {
-            const V8 least = hn::Min(linear(facets.a[0], facets.b[0], facets.c[0]),
-                                     hn::Min(linear(facets.a[1], facets.b[1], facets.c[1]),
-                                             linear(facets.a[2], facets.b[2], facets.c[2])));
-            open = hn::And(open, hn::Ge(least, hn::Neg(tolerance)));
-            certain = hn::And(certain, hn::Gt(least, tolerance));
-        }
+        if (!Inside) certain = hn::And(certain, hn::Gt(least, tolerance));
         found.open |= bits_of(k8, open) << i;
         found.certain |= bits_of(k8, hn::And(certain, open)) << i;
     }
