@@ -31,7 +31,8 @@ void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const F
     base::Vector<shade::PreparedLight> lights(memory);
     if (frame.pixels) {
         lights.reserve(snapshot.lights.size());
-        for (const scene::Light& light : snapshot.lights) lights.push_back(shade::prepare(light));
+        for (const scene::Light& light : snapshot.lights)
+            lights.push_back(shade::prepare(light, snapshot.target.bounds));
     }
 
     const FrameContext context = {

@@ -15,7 +15,7 @@ namespace peregrine::shade::HWY_NAMESPACE {
 
 // What a light does at a point, before visibility. Lengths are in units of |to_light|.
 struct Incidence {
-    V3 to_light;  // not normalised: shadow rays end at the light with t = 1
+    V3 to_light;  // not normalised: shadow rays reach from t = 0 to 1
     Vf distance;  // |to_light|
     Vf cosine;    // normal . to_light
     Vf geometric; // the same with the geometric normal
@@ -88,16 +88,20 @@ HWY_INLINE Vf weigh_lobe(const Surface& surface, uint32_t i, const Incidence& in
     return hn::IfThenElseZero(hn::And(lit, hn::Gt(below, hn::Zero(kF))), hn::Div(t, below));
 }
 
+// Rays that start at the light get their origins all at once, elsewhere.
 HWY_INLINE uint32_t pack_rays(const Surface& surface, uint32_t i, const Incidence& in,
-                              const ShadowRays& rays, uint32_t count) {
+                              bool from_light, const ShadowRays& rays, uint32_t count) {
     const Compressor lit(in.lit);
-    const V3 p = load(surface.position, i);
-    hn::StoreU(lit.pack(p.x), kF, rays.origin[0] + count);
-    hn::StoreU(lit.pack(p.y), kF, rays.origin[1] + count);
-    hn::StoreU(lit.pack(p.z), kF, rays.origin[2] + count);
-    hn::StoreU(lit.pack(in.to_light.x), kF, rays.direction[0] + count);
-    hn::StoreU(lit.pack(in.to_light.y), kF, rays.direction[1] + count);
-    hn::StoreU(lit.pack(in.to_light.z), kF, rays.direction[2] + count);
+    if (!from_light) {
+        const V3 p = load(surface.position, i);
+        hn::StoreU(lit.pack(p.x), kF, rays.origin[0] + count);
+        hn::StoreU(lit.pack(p.y), kF, rays.origin[1] + count);
+        hn::StoreU(lit.pack(p.z), kF, rays.origin[2] + count);
+    }
+    const V3 along = scale(in.to_light, splat(from_light ? -1.0f : 1.0f));
+    hn::StoreU(lit.pack(along.x), kF, rays.direction[0] + count);
+    hn::StoreU(lit.pack(along.y), kF, rays.direction[1] + count);
+    hn::StoreU(lit.pack(along.z), kF, rays.direction[2] + count);
     const Vf index = lit.pack(hn::BitCast(kF, hn::Iota(kU, i)));
     hn::StoreU(hn::BitCast(kU, index), kU, rays.index + count);
     return count + uint32_t(hn::CountTrue(kF, in.lit));
@@ -116,7 +120,7 @@ HWY_ATTR uint32_t weigh_light(const Surface& surface, uint32_t count, const Prep
         }
         hn::StoreU(weigh_diffuse<Type>(surface, light, i, in), kF, out.diffuse + i);
         if constexpr (Specular) hn::StoreU(weigh_lobe(surface, i, in), kF, out.lobe + i);
-        ray_count = pack_rays(surface, i, in, rays, ray_count);
+        ray_count = pack_rays(surface, i, in, light.from_light, rays, ray_count);
     }
     return ray_count;
 }

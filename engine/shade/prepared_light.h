@@ -12,6 +12,7 @@ namespace peregrine::shade {
 struct PreparedLight {
     scene::LightType type;
     bool casts_shadow;
+    bool from_light; // its shadow rays start at the light, where they share their origin
     math::Vec3 position;
     math::Vec3 direction;
     math::Vec3 color; // multiplies the weights: all constants of the fall-off are in here
@@ -21,13 +22,18 @@ struct PreparedLight {
     float cone_scale; // 1 / (inner - outer)
 };
 
-inline PreparedLight prepare(const scene::Light& light) {
+// Shadow rays run from the light if it is within the bounds of the scene: the lift of surfaces
+// covers the errors of rays from there (see intersection_error).
+inline PreparedLight prepare(const scene::Light& light, const math::Box& bounds) {
     const bool finite = light.type != scene::LightType::directional;
     const float gain = finite ? kFalloffGain / (light.radius * light.radius) : 1.0f;
     const float cone = std::max(light.cone_inner_cos - light.cone_outer_cos, 1e-5f);
-    return {light.type,          light.casts_shadow,     math::Vec3(light.position),
-            light.direction,     light.intensity * gain, light.radius,
-            1.0f / light.radius, light.cone_outer_cos,   1.0f / cone};
+    const math::Vec3 position(light.position);
+    const bool inside = finite && glm::clamp(position, bounds.lower, bounds.upper) == position;
+    return {light.type,   light.casts_shadow,  inside,
+            position,     light.direction,     light.intensity * gain,
+            light.radius, 1.0f / light.radius, light.cone_outer_cos,
+            1.0f / cone};
 }
 
 // Whether any point of the box may be lit. The margin covers the rounding of both sides.

@@ -10,8 +10,10 @@
 namespace peregrine::shade {
 
 void Scratch::initialize() {
-    std::fill_n(shadow_end, kPadded, 1.0f - 0x1p-12f);
-    std::fill_n(shadow_no_end, kPadded, std::numeric_limits<float>::infinity());
+    std::fill_n(just_above_zero, kPadded, 0x1p-12f);
+    std::fill_n(just_below_one, kPadded, 1.0f - 0x1p-12f);
+    std::fill_n(ones, kPadded, 1.0f);
+    std::fill_n(infinities, kPadded, std::numeric_limits<float>::infinity());
 }
 
 Shader Shader::prepare(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
@@ -61,13 +63,21 @@ void Shader::illuminate(const PreparedLight& light, uint32_t count, Scratch& scr
 // Takes the light away where something is in between; returns whether any is left.
 bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count, Scratch& scratch) const {
     scratch.shadow_ray_count += ray_count;
-    const bool directional = light.type == scene::LightType::directional;
-    const trace::RayStream rays = {
+    trace::RayStream rays = {
         {scratch.shadow_origin[0], scratch.shadow_origin[1], scratch.shadow_origin[2]},
         {scratch.shadow_direction[0], scratch.shadow_direction[1], scratch.shadow_direction[2]},
-        scratch.shadow_begin,
-        directional ? scratch.shadow_no_end : scratch.shadow_end,
-        ray_count};
+        scratch.zeros,
+        scratch.just_below_one,
+        ray_count,
+        trace::Coherence::coherent};
+    if (light.type == scene::LightType::directional) rays.t_max = scratch.infinities;
+    if (light.from_light) {
+        for (int k = 0; k < 3; ++k)
+            std::fill_n(scratch.shadow_origin[k], ray_count, light.position[k]);
+        rays.t_min = scratch.just_above_zero;
+        rays.t_max = scratch.ones;
+        rays.coherence = trace::Coherence::common_origin;
+    }
     snapshot->kernels->occluded_stream(target, rays, shadow_filter, scratch.occluded);
     uint32_t hidden = 0;
     for (uint32_t k = 0; k < ray_count; ++k) {

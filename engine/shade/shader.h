@@ -16,9 +16,12 @@ struct alignas(64) Scratch {
     LightWeights weights;
     Surface::Lanes shadow_origin[3];
     Surface::Lanes shadow_direction[3];
-    Surface::Lanes shadow_begin;  // zeros
-    Surface::Lanes shadow_end;    // just short of a light
-    Surface::Lanes shadow_no_end; // infinities
+    // Where shadow rays begin and end, 0 and 1 being the surface and the light or the reverse.
+    Surface::Lanes zeros;
+    Surface::Lanes just_above_zero;
+    Surface::Lanes just_below_one;
+    Surface::Lanes ones;
+    Surface::Lanes infinities;
     uint32_t shadow_index[kPadded];
     uint8_t occluded[kPadded];
     uint64_t shadow_ray_count;
