@@ -23,6 +23,9 @@ inline constexpr uint32_t kGroups = 16; // bits of a uint32_t tell which ones
 inline constexpr uint32_t kBeamRays = kGroups * kGroupRays;
 inline constexpr uint32_t kAllRays = uint32_t((uint64_t(1) << kGroupRays) - 1); // of a group
 
+// The limit of rays that want no more hits.
+constexpr float kNever = -std::numeric_limits<float>::infinity();
+
 // Slopes of directions: those of the two lesser axes over that of the main axis.
 struct Window {
     float p0, p1, q0, q1;
@@ -46,7 +49,7 @@ struct Beam {
     // those of the centre.
     alignas(64) float sx[kBeamRays], sy[kBeamRays];
     alignas(64) float p[kBeamRays], q[kBeamRays];
-    alignas(64) float limit[kBeamRays]; // z that a hit must not exceed; negative: no more hits
+    alignas(64) float limit[kBeamRays]; // z that a hit must not exceed
     uint32_t foreign[kGroups];          // bits of a group's rays with another main axis
 
     Window window; // from the centre, as are the groups'
@@ -144,7 +147,7 @@ HWY_ATTR bool Beam::gather_rays(const RayStream& rays) {
     for (uint32_t g = 0; g < group_count; ++g) {
         Extent extent;
         uint32_t steep = 0;
-        V8 farthest = hn::Set(k8, -1.0f);
+        V8 farthest = hn::Set(k8, kNever);
         V8 soonest = hn::Set(k8, std::numeric_limits<float>::infinity());
         for (uint32_t i = g * kGroupRays; i < (g + 1) * kGroupRays; i += kLanes8) {
             // Places beyond the last ray repeat the middle one, without ever being hit.
@@ -178,7 +181,7 @@ HWY_ATTR bool Beam::gather_rays(const RayStream& rays) {
             begin = hn::Min(begin, t_min);
             last = hn::Max(last, hn::Mul(t_min, scale));
             V8 end = hn::Mul(load(rays.t_max), scale);
-            if (!Full) end = hn::IfThenElse(there, end, hn::Set(k8, -1.0f));
+            if (!Full) end = hn::IfThenElse(there, end, hn::Set(k8, kNever));
             hn::Store(end, k8, limit + i);
             farthest = hn::Max(farthest, end);
             soonest = hn::Min(soonest, end);
@@ -212,7 +215,7 @@ inline HWY_ATTR void Beam::center() {
     for (uint32_t g = uint32_t(__builtin_popcount(groups)); g < kGroups; ++g) {
         group_p0[g] = group_p1[g] = group_p0[0];
         group_q0[g] = group_q1[g] = group_q0[0];
-        group_limit[g] = -1;
+        group_limit[g] = kNever;
     }
     window = window_of(groups);
     center_p = 0.5f * (window.p0 + window.p1);

@@ -12,14 +12,11 @@
 #include "geometry/intersect.h"
 #include "trace/bvh/beam_traversal-inl.h"
 #include "trace/bvh/decide-inl.h"
+#include "trace/bvh/hit_board-inl.h"
 #include "trace/bvh/plain.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
-
-using D8u = hn::RebindToUnsigned<D8>;
-constexpr D8u k8u;
-constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
 // Judges a group's candidates: kernel.take(at, lanes, verdict, dz, index) hears of eight at a time,
 // kernel.test_one(block, lane, at) is asked for those that stand alone or whose main axis is
@@ -78,23 +75,10 @@ class ClosestBeam {
 public:
     HWY_ATTR ClosestBeam(const Target& target, Beam& beam, const RayStream& rays,
                          const Filter& filter, const HitStream& out)
-        : target_(target), beam_(beam), rays_(rays), filter_(filter), out_(out),
-          hits_{out.t + beam.first,        out.u + beam.first,         out.v + beam.first,
-                out.triangle + beam.first, out.back_face + beam.first, nullptr} {}
+        : target_(target), beam_(beam), rays_(rays), filter_(filter),
+          board_(rays, out, beam.first, beam.count) {}
 
-    HWY_ATTR void trace() {
-        for (uint32_t i = 0; i < beam_.count; i += kLanes8) {
-            const V8 end =
-                hn::Min(hn::LoadU(k8, rays_.t_max + beam_.first + i), hn::Set(k8, kLargestFloat));
-            hn::StoreU(end, k8, hits_.t + i);
-            hn::StoreU(hn::Set(k8u, geometry::kNoTriangle), k8u, hits_.triangle + i);
-        }
-        const uint32_t steps = visit_beam(target_, beam_, *this);
-        for (uint32_t i = 0; i < beam_.count; i += kLanes8) {
-            finish_missed(i);
-            if (out_.steps) hn::StoreU(hn::Set(k8u, steps), k8u, out_.steps + beam_.first + i);
-        }
-    }
+    HWY_ATTR void trace() { board_.finish(visit_beam(target_, beam_, *this)); }
 
     HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
                                    uint32_t group, const Candidates& rays) {
@@ -107,71 +91,33 @@ public:
 
     HWY_INLINE HWY_ATTR bool take(uint32_t at, M8 lanes, const Verdict& verdict, V8 dz,
                                   uint32_t index) {
-        const V8 best = hn::LoadU(k8, hits_.t + at);
-        const auto before = hn::LoadU(k8u, hits_.triangle + at);
-        const M8 nearer = hn::Lt(verdict.t, best);
-        const M8 ties = hn::And(hn::Eq(verdict.t, best),
-                                hn::RebindMask(k8, hn::Lt(hn::Set(k8u, index), before)));
-        const V8 begin = hn::LoadU(k8, rays_.t_min + beam_.first + at);
-        M8 wins = hn::And(hn::And(lanes, hn::Ge(verdict.t, begin)), hn::Or(nearer, ties));
+        M8 wins = board_.find_wins(at, lanes, verdict.t, index);
         wins = accepted<Filtered>(wins, filter_, target_.infos[index], verdict, dz);
         if (hn::AllFalse(k8, wins)) return false;
+        board_.record(at, wins, verdict.t, verdict.u, verdict.v, index, back_faces(verdict, dz));
         const V8 z = hn::Mul(verdict.t, hn::Mul(dz, hn::Set(k8, beam_.sign)));
-        if (hn::AllTrue(k8, wins)) {
-            hn::StoreU(verdict.t, k8, hits_.t + at);
-            hn::StoreU(verdict.u, k8, hits_.u + at);
-            hn::StoreU(verdict.v, k8, hits_.v + at);
-            hn::StoreU(hn::Set(k8u, index), k8u, hits_.triangle + at);
-            hn::StoreU(back_faces(verdict, dz), k8u, hits_.back_face + at);
-            hn::Store(z, k8, beam_.limit + at);
-            return true;
-        }
-        replace(wins, verdict.t, hits_.t + at);
-        replace(wins, verdict.u, hits_.u + at);
-        replace(wins, verdict.v, hits_.v + at);
-        replace(wins, hn::Set(k8u, index), hits_.triangle + at);
-        replace(wins, back_faces(verdict, dz), hits_.back_face + at);
-        replace(wins, z, beam_.limit + at);
+        HitBoard::replace(wins, z, beam_.limit + at);
         return true;
     }
 
     HWY_INLINE HWY_ATTR bool test_one(const Block& block, uint32_t lane, uint32_t at) {
         const uint32_t index = block.triangle[lane];
         geometry::TriangleHit hit;
-        if (!intersect_one(rays_, beam_.first + at, hits_.t[at], block, lane, hit)
-            || !comes_first(hit.t, index, hits_.t[at], hits_.triangle[at])
+        if (!intersect_one(rays_, beam_.first + at, board_.t(at), block, lane, hit)
+            || !board_.comes_first(at, hit.t, index)
             || (Filtered && !filter_.accepts(target_.infos[index], hit.back_face, hit.u, hit.v)))
             return false;
-        hits_.store(at, {hit.t, hit.u, hit.v, index, hit.back_face, 0});
+        board_.record_one(at, hit, index);
         beam_.limit[at] = hit.t * (beam_.sign * rays_.direction[beam_.kz][beam_.first + at]);
         return true;
     }
 
 private:
-    HWY_INLINE HWY_ATTR static void replace(M8 lanes, V8 value, float* values) {
-        hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(k8, values)), k8, values);
-    }
-    HWY_INLINE HWY_ATTR static void replace(M8 lanes, hn::Vec<D8u> value, uint32_t* values) {
-        hn::StoreU(hn::IfThenElse(hn::RebindMask(k8u, lanes), value, hn::LoadU(k8u, values)), k8u,
-                   values);
-    }
-
-    HWY_INLINE HWY_ATTR void finish_missed(uint32_t i) {
-        const M8 missed = hn::RebindMask(
-            k8, hn::Eq(hn::LoadU(k8u, hits_.triangle + i), hn::Set(k8u, geometry::kNoTriangle)));
-        if (hn::AllFalse(k8, missed)) return;
-        replace(missed, hn::Set(k8, std::numeric_limits<float>::infinity()), hits_.t + i);
-        replace(missed, hn::Zero(k8), hits_.u + i);
-        replace(missed, hn::Zero(k8), hits_.v + i);
-        replace(missed, hn::Zero(k8u), hits_.back_face + i);
-    }
-
     const Target& target_;
     Beam& beam_;
     const RayStream& rays_;
     const Filter& filter_;
-    const HitStream& out_;
-    HitStream hits_; // from the beam's first ray on
+    HitBoard board_;
 };
 
 template <bool Filtered>
@@ -214,14 +160,14 @@ public:
     }
 
     HWY_INLINE HWY_ATTR bool test_one(const Block& block, uint32_t lane, uint32_t at) {
-        if (beam_.limit[at] < 0) return false; // already
+        if (beam_.limit[at] == kNever) return false; // already
         geometry::TriangleHit hit;
         if (!intersect_one(rays_, beam_.first + at, rays_.t_max[beam_.first + at], block, lane, hit)
             || (Filtered
                 && !filter_.accepts(target_.infos[block.triangle[lane]], hit.back_face, hit.u,
                                     hit.v)))
             return false;
-        beam_.limit[at] = -1;
+        beam_.limit[at] = kNever;
         blocked_[at / kGroupRays] |= 1u << at % kGroupRays;
         return true;
     }
@@ -229,7 +175,7 @@ public:
 private:
     HWY_INLINE HWY_ATTR void block_lanes(uint32_t at, M8 lanes) {
         const V8 limit = hn::Load(k8, beam_.limit + at);
-        hn::Store(hn::IfThenElse(lanes, hn::Set(k8, -1.0f), limit), k8, beam_.limit + at);
+        hn::Store(hn::IfThenElse(lanes, hn::Set(k8, kNever), limit), k8, beam_.limit + at);
     }
 
     const Target& target_;

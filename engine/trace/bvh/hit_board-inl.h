@@ -1,0 +1,112 @@
+// The closest hits so far of a stream's rays. Included once for each instruction set.
+#if defined(PEREGRINE_TRACE_BVH_HIT_BOARD_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_BVH_HIT_BOARD_INL_H
+#undef PEREGRINE_TRACE_BVH_HIT_BOARD_INL_H
+#else
+#define PEREGRINE_TRACE_BVH_HIT_BOARD_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "geometry/intersect.h"
+#include "trace/bvh/lanes-inl.h"
+#include "trace/kernels.h"
+
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+using D8u = hn::RebindToUnsigned<D8>;
+constexpr D8u k8u;
+constexpr float kLargestFloat = std::numeric_limits<float>::max();
+
+// Rays count from `first` of the streams. While a ray has no hit, its t is where it ends.
+class HitBoard {
+public:
+    HWY_ATTR HitBoard(const RayStream& rays, const HitStream& out, uint32_t first, uint32_t count)
+        : hits_{out.t + first,         out.u + first,
+                out.v + first,         out.triangle + first,
+                out.back_face + first, out.steps ? out.steps + first : nullptr},
+          t_min_(rays.t_min + first), count_(count) {
+        for (uint32_t i = 0; i < count; i += kLanes8) {
+            const V8 end =
+                hn::Min(hn::LoadU(k8, rays.t_max + first + i), hn::Set(k8, kLargestFloat));
+            hn::StoreU(end, k8, hits_.t + i);
+            hn::StoreU(hn::Set(k8u, geometry::kNoTriangle), k8u, hits_.triangle + i);
+        }
+    }
+
+    float t(uint32_t at) const { return hits_.t[at]; }
+    HWY_INLINE HWY_ATTR V8 best(uint32_t at) const { return hn::LoadU(k8, hits_.t + at); }
+    HWY_INLINE HWY_ATTR V8 begin(uint32_t at) const { return hn::LoadU(k8, t_min_ + at); }
+
+    // Of the eight rays from `at` on those of `lanes` that a hit at t comes first for.
+    HWY_INLINE HWY_ATTR M8 find_wins(uint32_t at, M8 lanes, V8 t, uint32_t index) const {
+        const V8 best_t = best(at);
+        const auto before = hn::LoadU(k8u, hits_.triangle + at);
+        const M8 ties =
+            hn::And(hn::Eq(t, best_t), hn::RebindMask(k8, hn::Lt(hn::Set(k8u, index), before)));
+        return hn::And(hn::And(lanes, hn::Ge(t, begin(at))), hn::Or(hn::Lt(t, best_t), ties));
+    }
+
+    HWY_INLINE HWY_ATTR void record(uint32_t at, M8 wins, V8 t, V8 u, V8 v, uint32_t index,
+                                    hn::Vec<D8u> back_face) {
+        const auto triangle = hn::Set(k8u, index);
+        if (hn::AllTrue(k8, wins)) {
+            hn::StoreU(t, k8, hits_.t + at);
+            hn::StoreU(u, k8, hits_.u + at);
+            hn::StoreU(v, k8, hits_.v + at);
+            hn::StoreU(triangle, k8u, hits_.triangle + at);
+            hn::StoreU(back_face, k8u, hits_.back_face + at);
+            return;
+        }
+        replace(wins, t, hits_.t + at);
+        replace(wins, u, hits_.u + at);
+        replace(wins, v, hits_.v + at);
+        replace(wins, triangle, hits_.triangle + at);
+        replace(wins, back_face, hits_.back_face + at);
+    }
+
+    bool comes_first(uint32_t at, float t, uint32_t index) const {
+        return trace::comes_first(t, index, hits_.t[at], hits_.triangle[at]);
+    }
+    void record_one(uint32_t at, const geometry::TriangleHit& hit, uint32_t index) {
+        hits_.t[at] = hit.t;
+        hits_.u[at] = hit.u;
+        hits_.v[at] = hit.v;
+        hits_.triangle[at] = index;
+        hits_.back_face[at] = hit.back_face;
+    }
+
+    // Gives misses their form.
+    HWY_ATTR void finish(uint32_t steps) {
+        for (uint32_t i = 0; i < count_; i += kLanes8) {
+            if (hits_.steps) hn::StoreU(hn::Set(k8u, steps), k8u, hits_.steps + i);
+            const M8 missed = hn::RebindMask(k8, hn::Eq(hn::LoadU(k8u, hits_.triangle + i),
+                                                        hn::Set(k8u, geometry::kNoTriangle)));
+            if (hn::AllFalse(k8, missed)) continue;
+            replace(missed, hn::Set(k8, std::numeric_limits<float>::infinity()), hits_.t + i);
+            replace(missed, hn::Zero(k8), hits_.u + i);
+            replace(missed, hn::Zero(k8), hits_.v + i);
+            replace(missed, hn::Zero(k8u), hits_.back_face + i);
+        }
+    }
+
+    HWY_INLINE HWY_ATTR static void replace(M8 lanes, V8 value, float* values) {
+        hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(k8, values)), k8, values);
+    }
+    HWY_INLINE HWY_ATTR static void replace(M8 lanes, hn::Vec<D8u> value, uint32_t* values) {
+        hn::StoreU(hn::IfThenElse(hn::RebindMask(k8u, lanes), value, hn::LoadU(k8u, values)), k8u,
+                   values);
+    }
+
+private:
+    HitStream hits_;
+    const float* t_min_;
+    uint32_t count_;
+};
+
+} // namespace peregrine::trace::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
