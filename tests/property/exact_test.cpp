@@ -167,6 +167,11 @@ void expect_same(const Answers& expected, const Answers& got, const std::vector<
     EXPECT_EQ(wrong, 0u) << what << ": of " << rays.size() << " rays";
 }
 
+// The others would say the same four times, and the kd-tree takes its time over extreme rays.
+bool looks_at_hints(trace::Structure structure, base::Isa isa) {
+    return structure == trace::Structure::bvh && isa != base::Isa::scalar;
+}
+
 // Every instruction set, ray by ray and as streams with every hint.
 void compare_structure(const NamedStructure& structure, const trace::Target& target,
                        const std::vector<RaySet>& sets, const std::vector<Answers>& expected,
@@ -182,7 +187,7 @@ void compare_structure(const NamedStructure& structure, const trace::Target& tar
             for (const NamedHint& hint : kHints) {
                 expect_same(expected[i], ask_streams(target, rays, filter, *kernels, hint.hint),
                             rays, what + ", stream, " + hint.name);
-                if (isa.isa == base::Isa::scalar) break; // no streams of its own
+                if (!looks_at_hints(structure.structure, isa.isa)) break;
             }
         }
     }
