@@ -22,15 +22,25 @@ static_assert(RT_BUILD_BEST == int(accel::bvh::Quality::best));
 
 trace::Structure to_structure(rt_structure structure) {
     require_enum(structure, RT_STRUCTURE_BIH, "rt_commit_desc.structure");
-    if (structure == RT_STRUCTURE_BIH)
-        base::fail(
-            base::Code::unsupported,
-            "rt_commit_desc.structure is RT_STRUCTURE_BIH, which this version does not have");
-    return structure == RT_STRUCTURE_KDTREE ? trace::Structure::kdtree : trace::Structure::bvh;
+    switch (structure) {
+    case RT_STRUCTURE_KDTREE:
+        return trace::Structure::kdtree;
+    case RT_STRUCTURE_BIH:
+        return trace::Structure::bih;
+    default:
+        return trace::Structure::bvh;
+    }
 }
 
 rt_structure to_host(trace::Structure structure) {
-    return structure == trace::Structure::kdtree ? RT_STRUCTURE_KDTREE : RT_STRUCTURE_BVH;
+    switch (structure) {
+    case trace::Structure::kdtree:
+        return RT_STRUCTURE_KDTREE;
+    case trace::Structure::bih:
+        return RT_STRUCTURE_BIH;
+    default:
+        return RT_STRUCTURE_BVH;
+    }
 }
 
 scene::CommitOptions to_options(const rt_commit_desc* desc) {
@@ -74,14 +84,36 @@ void report_tree(const accel::bvh::Tree& tree, rt_commit_report& out) {
     out.build_ms = tree.report.build_ms;
 }
 
+void report_tree(const accel::bih::Tree& tree, rt_commit_report& out) {
+    out.bytes_nodes = tree.nodes.size() * sizeof(accel::bih::Node);
+    out.bytes_references = tree.references.size() * sizeof(uint32_t);
+    out.tree_nodes = tree.nodes.size();
+    out.tree_leaves = tree.report.leaves;
+    out.tree_references = tree.references.size();
+    out.tree_max_depth = tree.report.max_depth;
+    out.tree_depth_limit = accel::bih::kMaxDepth;
+    out.tree_sah_cost = tree.report.sah_cost;
+    out.build_ms = tree.report.build_ms;
+}
+
+void report_tree(const scene::Geometry& geometry, rt_commit_report& out) {
+    switch (geometry.structure) {
+    case trace::Structure::kdtree:
+        return report_tree(geometry.kdtree, out);
+    case trace::Structure::bih:
+        return report_tree(geometry.bih, out);
+    default:
+        return report_tree(geometry.bvh, out);
+    }
+}
+
 rt_commit_report to_report(const scene::CommitReport& in) {
     rt_commit_report out = rt_default_commit_report();
     out.left_out = scene::kAllFeatures & ~in.features;
     out.triangle_count = in.geometry->infos.size();
     out.degenerate_count = in.geometry->degenerate_count;
     out.non_finite_count = in.geometry->non_finite_count;
-    in.geometry->structure == trace::Structure::bvh ? report_tree(in.geometry->bvh, out)
-                                                    : report_tree(in.geometry->kdtree, out);
+    report_tree(*in.geometry, out);
     out.bytes_triangles += in.geometry->infos.size() * sizeof(geometry::TriangleInfo)
                            + in.geometry->triangles.size() * sizeof(geometry::Triangle);
     out.bytes_attributes = in.bytes_attributes;

@@ -29,8 +29,10 @@ const std::map<std::string, rt_isa> isas = {{"auto", RT_ISA_BEST},
                                             {"avx2", RT_ISA_AVX2},
                                             {"avx512", RT_ISA_AVX512}};
 
-const std::map<std::string, rt_structure> structures = {
-    {"auto", RT_STRUCTURE_AUTO}, {"bvh", RT_STRUCTURE_BVH}, {"kdtree", RT_STRUCTURE_KDTREE}};
+const std::map<std::string, rt_structure> structures = {{"auto", RT_STRUCTURE_AUTO},
+                                                        {"bvh", RT_STRUCTURE_BVH},
+                                                        {"kdtree", RT_STRUCTURE_KDTREE},
+                                                        {"bih", RT_STRUCTURE_BIH}};
 const std::map<std::string, rt_build_quality> builds = {
     {"balanced", RT_BUILD_BALANCED}, {"fast", RT_BUILD_FAST}, {"best", RT_BUILD_BEST}};
 
@@ -104,7 +106,7 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--stats", options.stats, "JSON file to write measurements to [none]");
     app.add_option("--isa", texts.isa,
                    "auto, scalar, sse4, avx2 or avx512 [$PEREGRINE_ISA, else auto]");
-    app.add_option("--structure", texts.structure, "auto, bvh or kdtree [auto]");
+    app.add_option("--structure", texts.structure, "auto, bvh, kdtree or bih [auto]");
     app.add_option("--build", texts.build, "balanced, fast or best [balanced]");
     app.add_option("--exposure", options.exposure,
                    "multiplies the light before tone mapping [adapts to the view]")

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include "accel/bih/builder.h"
 #include "accel/bvh/builder.h"
 #include "accel/kdtree/builder.h"
 #include "base/error.h"
@@ -55,6 +56,9 @@ std::shared_ptr<const Geometry> Scene::current_geometry(const Snapshot& snapshot
         build.empty_bonus = options.build.empty_bonus;
         geometry->kdtree =
             accel::kdtree::build(geometry->triangles, build, scheduler, options.progress, &memory);
+    } else if (geometry->structure == trace::Structure::bih) {
+        geometry->bih =
+            accel::bih::build(geometry->triangles, {}, scheduler, options.progress, &memory);
     } else {
         accel::bvh::BuildOptions build;
         build.quality = options.build.quality;

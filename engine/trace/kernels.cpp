@@ -1,5 +1,6 @@
 #include "trace/kernels.h"
 
+#include "trace/bih/kernels.h"
 #include "trace/bvh/kernels.h"
 #include "trace/kdtree/kernels.h"
 
@@ -20,7 +21,10 @@ struct Tables {
 const Kernels* select_kernels(Structure structure, base::Isa isa) {
     static const Tables bvh(bvh::make_kernels);
     static const Tables kdtree(kdtree::make_kernels);
-    const Tables& tables = structure == Structure::bvh ? bvh : kdtree;
+    static const Tables bih(bih::make_kernels);
+    const Tables& tables = structure == Structure::bvh      ? bvh
+                           : structure == Structure::kdtree ? kdtree
+                                                            : bih;
     const auto index = uint32_t(isa);
     return index < std::size(tables.by_isa) && base::machine_has(isa) ? &tables.by_isa[index]
                                                                       : nullptr;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/bih/tree.h"
 #include "accel/bvh/tree.h"
 #include "accel/kdtree/tree.h"
 #include "base/isa.h"
@@ -13,7 +14,7 @@
 
 namespace peregrine::trace {
 
-enum class Structure : uint32_t { bvh = 0, kdtree = 1 };
+enum class Structure : uint32_t { bvh = 0, kdtree = 1, bih = 2 };
 
 // What rays are traced against. Only the arrays of its structure are there.
 struct Target {
@@ -25,7 +26,10 @@ struct Target {
 
     const accel::kdtree::Node* nodes;
     const uint32_t* references;
-    const geometry::Triangle* triangles;
+    const geometry::Triangle* triangles; // of the kd-tree and the BIH
+
+    const accel::bih::Node* bih_nodes = nullptr;
+    const uint32_t* bih_references = nullptr;
 };
 
 // The closest hit of one ray.

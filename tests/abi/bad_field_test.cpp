@@ -223,8 +223,6 @@ TEST_F(BadField, Commit) {
         desc.quality = value;
         refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.quality is ");
     }
-    desc.structure = RT_STRUCTURE_BIH;
-    refuse(RT_ERROR_UNSUPPORTED, "rt_commit_desc.structure is RT_STRUCTURE_BIH");
     ASSERT_OK(move_lift(*world_, 3));
     desc.empty_bonus = 0.2f;
     desc.progress = [](void*, float) -> int32_t { return 1; };

@@ -8,7 +8,8 @@ TEST(Structure, OfAnyKindAndQualityAnswersTheSame) {
     const WorldGuard world;
     const rt_scene scene = (*world).scene;
     const Bytes expected = answers(scene);
-    for (const rt_structure structure : {RT_STRUCTURE_AUTO, RT_STRUCTURE_BVH, RT_STRUCTURE_KDTREE})
+    for (const rt_structure structure :
+         {RT_STRUCTURE_AUTO, RT_STRUCTURE_BVH, RT_STRUCTURE_KDTREE, RT_STRUCTURE_BIH})
         for (const rt_build_quality quality : {RT_BUILD_BALANCED, RT_BUILD_FAST, RT_BUILD_BEST}) {
             rt_commit_desc desc = rt_default_commit_desc();
             desc.structure = structure;
@@ -16,7 +17,7 @@ TEST(Structure, OfAnyKindAndQualityAnswersTheSame) {
             rt_commit_report report = rt_default_commit_report();
             ASSERT_OK(rt_commit_scene(scene, &desc, &report));
             EXPECT_EQ(report.structure,
-                      structure == RT_STRUCTURE_KDTREE ? RT_STRUCTURE_KDTREE : RT_STRUCTURE_BVH);
+                      structure == RT_STRUCTURE_AUTO ? RT_STRUCTURE_BVH : structure);
             EXPECT_EQ(report.quality, quality);
             EXPECT_EQ(answers(scene), expected);
             ASSERT_OK(rt_commit_scene(scene, &desc, &report));

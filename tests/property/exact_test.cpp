@@ -30,7 +30,8 @@ struct NamedStructure {
     const char* name;
 };
 constexpr NamedStructure kStructures[] = {{trace::Structure::bvh, "bvh"},
-                                          {trace::Structure::kdtree, "kdtree"}};
+                                          {trace::Structure::kdtree, "kdtree"},
+                                          {trace::Structure::bih, "bih"}};
 
 struct NamedHint {
     trace::Coherence hint;

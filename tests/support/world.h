@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/bih/builder.h"
 #include "accel/bvh/builder.h"
 #include "accel/kdtree/builder.h"
 #include "base/memory.h"
@@ -21,7 +22,7 @@ struct World {
     trace::Target target() const {
         return {infos.data(),      kdtree.bounds,       bvh.nodes.data(),
                 bvh.blocks.data(), kdtree.nodes.data(), kdtree.references.data(),
-                triangles.data()};
+                triangles.data(),  bih.nodes.data(),    bih.references.data()};
     }
 
     base::HostMemory memory{{}};
@@ -29,6 +30,7 @@ struct World {
     std::vector<geometry::TriangleInfo> infos;
     accel::bvh::Tree bvh{&memory};
     accel::kdtree::Tree kdtree{&memory};
+    accel::bih::Tree bih{&memory};
 };
 
 // Number `index` of a list, from vertices; degenerate triangles are left out as by a commit.

@@ -421,10 +421,10 @@ enum {
     RT_STRUCTURE_AUTO = 0, /* what is fastest: the BVH */
     RT_STRUCTURE_BVH = 1,
     RT_STRUCTURE_KDTREE = 2,
-    RT_STRUCTURE_BIH = 3 /* not available in this version */
+    RT_STRUCTURE_BIH = 3 /* builds quickly, takes little memory, traces one ray at a time */
 };
 
-/* How long to build for how much speed. The kd-tree has one quality. */
+/* How long to build for how much speed. The kd-tree and the BIH have one quality. */
 typedef int32_t rt_build_quality;
 enum {
     RT_BUILD_BALANCED = 0,
@@ -501,8 +501,7 @@ static inline rt_commit_report rt_default_commit_report(void) {
  * the return sees it. Those that run on go on with the old one, which is freed later. On any
  * error the previous snapshot stays. desc and out_report may be null. Errors: INVALID_ARGUMENT (a
  * material names a removed texture), LIMIT (more than 2^27 triangles in all), OUT_OF_MEMORY,
- * CANCELLED, UNSUPPORTED (RT_STRUCTURE_BIH). Thread safety: one describing thread at a time;
- * queries and frames may run. */
+ * CANCELLED. Thread safety: one describing thread at a time; queries and frames may run. */
 RT_EXPORT rt_result rt_commit_scene(rt_scene scene, const rt_commit_desc* desc,
                                     rt_commit_report* out_report) RT_NOEXCEPT;
 

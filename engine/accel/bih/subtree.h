@@ -1,0 +1,31 @@
+#pragma once
+
+#include "accel/bih/task.h"
+
+namespace peregrine::accel::bih {
+
+// What a tree's report is made of. Costs are half areas times costs.
+struct Statistics {
+    double cost = 0;
+    uint32_t max_depth = 0;
+    uint64_t leaves = 0;
+    uint64_t largest_leaf = 0;
+
+    void add(const Statistics& other);
+};
+
+// What one thread builds.
+struct Subtree {
+    Subtree(uint32_t node, const Range& all, base::Memory* memory)
+        : slot(node), range(all), nodes(memory) {}
+
+    uint32_t slot; // of its root among the top nodes
+    Range range;
+    base::Vector<Node> nodes; // with links within
+    Statistics statistics;
+};
+
+// Incomplete if cancelled.
+void build_subtree(const Task& task, Subtree& subtree);
+
+} // namespace peregrine::accel::bih

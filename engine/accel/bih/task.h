@@ -1,0 +1,46 @@
+#pragma once
+
+#include "accel/bih/builder.h"
+#include "accel/bvh/object_split.h"
+#include "accel/kdtree/control.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace peregrine::accel::bih {
+
+using bvh::Bounds;
+using bvh::Extent;
+using bvh::Reference;
+using kdtree::Control;
+
+inline constexpr uint64_t kMaxTriangles = uint64_t(1) << 27;
+
+// More are split whatever it costs, even if they all lie at one place.
+inline constexpr uint32_t kMaxLeaf = 8;
+
+// What all parts of one build share.
+struct Task {
+    Reference* references; // sorted in place
+    BuildOptions costs;
+    Control& control;
+    base::Memory* memory;
+};
+
+// A node yet to be built over references [begin, end), which lie in the cell that rays are cut to.
+struct Range {
+    uint32_t begin;
+    uint32_t end;
+    uint32_t depth; // inner nodes above
+    Bounds cell;
+    Extent extent;
+
+    uint32_t size() const { return end - begin; }
+};
+
+// In double: the sides may be 1e30.
+inline double half_area(const Bounds& bounds) {
+    return math::half_area(bounds.box());
+}
+
+} // namespace peregrine::accel::bih
