@@ -15,6 +15,7 @@ struct Options {
     uint32_t size = 1024;
     std::vector<std::string> rays; // letters of trace_rays.h
     std::string structure = "auto";
+    std::string build = "balanced";
     std::string isa = "best";
     float empty_bonus = 0;
     std::string library;
@@ -26,5 +27,6 @@ std::string run_build(const Options& options);
 std::string run_frame(const Options& options);
 std::string run_door(const Options& options);
 std::string run_trace(const Options& options);
+std::string run_kernels(const Options& options);
 
 } // namespace peregrine::bench

@@ -1,14 +1,12 @@
 #pragma once
 
 #include "math/ray.h"
+#include "transpose.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <embree3/rtcore.h>
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
 
 namespace peregrine::bench {
 
@@ -34,27 +32,6 @@ template <size_t N>
 void initialise(EmbreeRays<N>& packet) {
     std::memset(&packet, 0, sizeof packet);
     std::memset(packet.mask, 0xff, sizeof packet.mask);
-}
-
-// Turns four rows of four floats into columns.
-inline void transpose4(const float* rows, size_t stride, float* c0, float* c1, float* c2,
-                       float* c3) {
-#if defined(__SSE__)
-    __m128 r0 = _mm_loadu_ps(rows), r1 = _mm_loadu_ps(rows + stride);
-    __m128 r2 = _mm_loadu_ps(rows + 2 * stride), r3 = _mm_loadu_ps(rows + 3 * stride);
-    _MM_TRANSPOSE4_PS(r0, r1, r2, r3);
-    _mm_store_ps(c0, r0);
-    _mm_store_ps(c1, r1);
-    _mm_store_ps(c2, r2);
-    _mm_store_ps(c3, r3);
-#else
-    for (size_t i = 0; i < 4; ++i) {
-        c0[i] = rows[i * stride];
-        c1[i] = rows[i * stride + 1];
-        c2[i] = rows[i * stride + 2];
-        c3[i] = rows[i * stride + 3];
-    }
-#endif
 }
 
 // The places from `count` on get segments that hold no point.

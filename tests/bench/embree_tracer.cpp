@@ -4,6 +4,9 @@
 #include "embree_scene.h"
 
 #include <algorithm>
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
 
 namespace peregrine::bench {
 namespace {
@@ -230,7 +233,7 @@ public:
         (set.any ? kModes[mode].any : kModes[mode].closest)(job);
     }
 
-    Answer answer(const RaySet& set, const Results& results, size_t ray) const override {
+    Answer answer(size_t, const RaySet& set, const Results& results, size_t ray) const override {
         if (set.any) return {0, results.occluded[ray] ? 0 : geometry::kNoTriangle};
         return {results.t[ray], results.triangle[ray]};
     }

@@ -56,6 +56,9 @@ void add_trace_options(CLI::App& trace, Options& options) {
     trace.add_option("--structure", options.structure, "auto, kdtree, bvh or bih")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "kdtree", "bvh", "bih"}));
+    trace.add_option("--build", options.build, "balanced, fast or best")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"balanced", "fast", "best"}));
     trace.add_option("--isa", options.isa, "best, scalar, sse4, avx2 or avx512")
         ->capture_default_str()
         ->check(CLI::IsMember({"best", "scalar", "sse4", "avx2", "avx512"}));
@@ -77,6 +80,11 @@ int run(int argc, char** argv) {
     CLI::App* frame = app.add_subcommand("frame", "frames through the header");
     CLI::App* door = app.add_subcommand("door", "what a query costs beyond the bare traversal");
     CLI::App* trace = app.add_subcommand("trace", "rays of all kinds through the header");
+    CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
+    kernels->add_option("--passes", options.passes, "Passes; medians are printed")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    kernels->add_option("--json", options.json, "Write the rows to this file as well");
     for (CLI::App* command : {build, frame, door, trace}) add_options(*command, options);
     add_trace_options(*trace, options);
     build->add_option("--peer", options.peers, "Peers: embree")->delimiter(',');
@@ -91,10 +99,11 @@ int run(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
 
     if (options.scenes.empty()) options.scenes = peregrine::test::scene_files();
-    const std::string rows = *build   ? peregrine::bench::run_build(options)
-                             : *frame ? peregrine::bench::run_frame(options)
-                             : *trace ? peregrine::bench::run_trace(options)
-                                      : peregrine::bench::run_door(options);
+    const std::string rows = *build     ? peregrine::bench::run_build(options)
+                             : *frame   ? peregrine::bench::run_frame(options)
+                             : *trace   ? peregrine::bench::run_trace(options)
+                             : *kernels ? peregrine::bench::run_kernels(options)
+                                        : peregrine::bench::run_door(options);
     if (!options.json.empty()) write_json(options, rows);
     return 0;
 }

@@ -1,36 +1,12 @@
 #include "peregrine_tracer.h"
 
+#include "peregrine_modes.h"
+
 #include <map>
 #include <stdexcept>
 
 namespace peregrine::bench {
 namespace {
-
-// How rays are handed over.
-enum class Form {
-    single, // a call per ray
-    batch,  // all that belong together in one call
-};
-
-bool for_all(const RaySet&) {
-    return true;
-}
-bool for_batches(const RaySet& set) {
-    return !set.one_by_one;
-}
-
-// A way through the door is a line here: what a query says beyond its rays goes into `configure`.
-// Whole frames of visibility would be a form of their own, for sets with views.
-struct Mode {
-    const char* name;
-    Form form;
-    bool (*suits)(const RaySet&);
-    void (*configure)(rt_query_desc&);
-};
-constexpr Mode kModes[] = {
-    {"single", Form::single, for_all, [](rt_query_desc&) {}},
-    {"batch", Form::batch, for_batches, [](rt_query_desc&) {}},
-};
 
 rt_isa to_isa(const std::string& name) {
     static const std::map<std::string, rt_isa> isas = {
@@ -41,11 +17,16 @@ rt_isa to_isa(const std::string& name) {
 }
 
 rt_commit_desc to_commit(const TracerChoice& choice) {
-    if (choice.structure != "auto" && choice.structure != "kdtree")
-        throw std::runtime_error("--structure " + choice.structure
-                                 + ": the engine's header has no choice of structure yet, and "
-                                   "builds kd-trees");
-    return rt_default_commit_desc();
+    static const std::map<std::string, rt_structure> structures = {{"auto", RT_STRUCTURE_AUTO},
+                                                                   {"bvh", RT_STRUCTURE_BVH},
+                                                                   {"kdtree", RT_STRUCTURE_KDTREE},
+                                                                   {"bih", RT_STRUCTURE_BIH}};
+    static const std::map<std::string, rt_build_quality> qualities = {
+        {"balanced", RT_BUILD_BALANCED}, {"fast", RT_BUILD_FAST}, {"best", RT_BUILD_BEST}};
+    rt_commit_desc commit = rt_default_commit_desc();
+    commit.structure = structures.at(choice.structure);
+    commit.quality = qualities.at(choice.build);
+    return commit;
 }
 
 class PeregrineTracer : public Tracer {
@@ -70,39 +51,33 @@ public:
     PeregrineTracer& operator=(const PeregrineTracer&) = delete;
 
     std::string name() const override { return "peregrine"; }
-    size_t mode_count() const override { return std::size(kModes); }
-    std::string mode_name(size_t mode) const override { return kModes[mode].name; }
-    bool suits(size_t mode, const RaySet& set) const override { return kModes[mode].suits(set); }
+    size_t mode_count() const override { return door_modes().size(); }
+    std::string mode_name(size_t mode) const override { return door_modes()[mode].name; }
+    bool suits(size_t mode, const RaySet& set) const override {
+        return door_modes()[mode].suits(set);
+    }
+    bool is_parallel(size_t mode) const override { return door_modes()[mode].parallel; }
 
     void prepare(const RaySet& set, Results& results) const override {
-        if (set.any)
-            results.occluded.resize(set.rays.size());
-        else
-            results.hits.resize(set.rays.size());
+        const size_t count = set.rays.size();
+        if (set.any) {
+            results.occluded.resize(count);
+        } else {
+            results.hits.resize(count);
+            results.t.resize(count);
+            results.triangle.resize(count);
+            results.meshes.resize(count);
+        }
     }
 
     void trace(size_t mode, const RaySet& set, size_t first, size_t count,
                Results& results) const override {
-        rt_query_desc query = rt_default_query_desc();
-        kModes[mode].configure(query);
-        query.kind = set.any ? RT_QUERY_ANY : RT_QUERY_CLOSEST;
-        query.rays = reinterpret_cast<const rt_ray*>(set.rays.data() + first);
-        query.ray_count = kModes[mode].form == Form::single ? 1 : count;
-        query.hits = set.any ? nullptr : results.hits.data() + first;
-        query.occluded = set.any ? results.occluded.data() + first : nullptr;
-        for (size_t done = 0; done < count; done += query.ray_count) {
-            check(api_.trace_query(scene_, &query));
-            query.rays += query.ray_count;
-            if (set.any)
-                query.occluded += query.ray_count;
-            else
-                query.hits += query.ray_count;
-        }
+        door_modes()[mode].trace({api_, scene_, set, first, count, results});
     }
 
-    Answer answer(const RaySet& set, const Results& results, size_t ray) const override {
-        if (set.any) return {0, results.occluded[ray] ? 0 : geometry::kNoTriangle};
-        return {results.hits[ray].t, results.hits[ray].triangle};
+    Answer answer(size_t mode, const RaySet& set, const Results& results,
+                  size_t ray) const override {
+        return door_modes()[mode].answer(set, results, ray);
     }
 
 private:

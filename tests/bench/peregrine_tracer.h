@@ -10,6 +10,7 @@ namespace peregrine::bench {
 
 struct TracerChoice {
     std::string structure = "auto"; // auto, kdtree, bvh, bih
+    std::string build = "balanced"; // balanced, fast, best
     std::string isa = "best";       // best, scalar, sse4, avx2, avx512
     uint32_t threads = 1;
 };

@@ -26,15 +26,15 @@ std::vector<Answer> exact_answers(const Tracer& exact, const RaySet& set) {
     exact.prepare(set, results);
     exact.trace(0, set, 0, set.rays.size(), results);
     std::vector<Answer> answers(set.rays.size());
-    for (size_t i = 0; i < answers.size(); ++i) answers[i] = exact.answer(set, results, i);
+    for (size_t i = 0; i < answers.size(); ++i) answers[i] = exact.answer(0, set, results, i);
     return answers;
 }
 
-uint64_t count_mismatches(const Tracer& tracer, bool bit_by_bit, const RaySet& set,
+uint64_t count_mismatches(const Tracer& tracer, size_t mode, bool bit_by_bit, const RaySet& set,
                           const Results& results, const std::vector<Answer>& exact) {
     uint64_t mismatches = 0;
     for (size_t i = 0; i < exact.size(); ++i) {
-        const Answer answer = tracer.answer(set, results, i);
+        const Answer answer = tracer.answer(mode, set, results, i);
         mismatches += bit_by_bit
                           ? answer.triangle != exact[i].triangle || !same_bits(answer.t, exact[i].t)
                           : !agrees(answer, exact[i]);

@@ -52,7 +52,7 @@ public:
                 if (contestant.peer) // the choice between its modes should not be left to chance
                     seconds = std::min(seconds, runner_.run(tracer, mode, set_, results_));
                 const uint64_t mismatches =
-                    count_mismatches(tracer, !contestant.peer, set_, results_, exact);
+                    count_mismatches(tracer, mode, !contestant.peer, set_, results_, exact);
                 entrants_.push_back({&contestant, mode, seconds, mismatches});
                 std::fprintf(stderr, "  %c %-14s %-26s %8.2f MRays/s\n", set_.kind,
                              tracer.name().c_str(), tracer.mode_name(mode).c_str(),
@@ -133,12 +133,13 @@ void print_builds(const TraceScene& scene, const std::vector<Contestant>& contes
 void trace_scene(const Options& options, const rt_api& api, const TraceScene& scene,
                  TraceRunner& runner, std::vector<TraceRow>& rows) {
     report_progress(scene, "building");
-    const std::unique_ptr<Tracer> exact =
-        make_peregrine_tracer(api, scene.triangles, {"kdtree", "scalar", options.threads});
+    const std::unique_ptr<Tracer> exact = make_peregrine_tracer(
+        api, scene.triangles, {"kdtree", "balanced", "scalar", options.threads});
     std::vector<Contestant> contestants;
-    contestants.push_back({make_peregrine_tracer(api, scene.triangles,
-                                                 {options.structure, options.isa, options.threads}),
-                           false});
+    contestants.push_back(
+        {make_peregrine_tracer(api, scene.triangles,
+                               {options.structure, options.build, options.isa, options.threads}),
+         false});
     for (const std::string& peer : options.peers)
         contestants.push_back({make_embree_tracer(peer, scene.triangles, options.threads), true});
     report_progress(scene, "finding what the cameras see");

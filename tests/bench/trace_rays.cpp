@@ -62,11 +62,14 @@ RayMaker::RayMaker(const TraceScene& scene, const Tracer& exact, uint32_t image_
     for (const host::Viewpoint& view : scene.cameras) {
         const render::Pinhole pinhole({view.vertical_fov, view.position, view.forward, view.up},
                                       image_size, image_size);
+        const size_t first_pixel = primary_.rays.size();
         for (uint32_t i = 0; i < render::Tile::tile_count(image_size, image_size); ++i) {
             tile->place(i, image_size, image_size);
-            for (uint32_t k = 0; k < tile->count; ++k)
-                primary_.rays.push_back(
-                    pinhole.primary(tile->x0 + tile->x[k], tile->y0 + tile->y[k]));
+            for (uint32_t k = 0; k < tile->count; ++k) {
+                const uint32_t x = tile->x0 + tile->x[k], y = tile->y0 + tile->y[k];
+                primary_.rays.push_back(pinhole.primary(x, y));
+                primary_.pixels.push_back(first_pixel + size_t(y) * image_size + x);
+            }
         }
         primary_.batches.push_back(primary_.rays.size());
     }
@@ -78,7 +81,7 @@ void RayMaker::trace_primary() {
     exact_.prepare(primary_, results);
     exact_.trace(0, primary_, 0, primary_.rays.size(), results);
     for (size_t i = 0; i < primary_.rays.size(); ++i) {
-        const Answer answer = exact_.answer(primary_, results, i);
+        const Answer answer = exact_.answer(0, primary_, results, i);
         t_.push_back(answer.t);
         triangle_.push_back(answer.triangle);
     }
@@ -137,7 +140,7 @@ Vec3 RayMaker::choose_light(size_t view) const {
     for (size_t light = 0; light < ends.size(); ++light) {
         size_t reached = 0;
         for (; ray < ends[light]; ++ray)
-            reached += exact_.answer(set, results, ray).triangle == geometry::kNoTriangle;
+            reached += exact_.answer(0, set, results, ray).triangle == geometry::kNoTriangle;
         if (reached > most) best = scene_.lights[light];
         most = std::max(most, reached);
     }

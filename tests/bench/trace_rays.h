@@ -24,6 +24,7 @@ struct RaySet {
     // tiles of 32x32 row by row, each in Morton order, as render::Tile orders them.
     std::vector<host::Viewpoint> views;
     uint32_t image_size = 0;
+    std::vector<size_t> pixels; // where a ray's pixel is, image after image, row by row
 };
 
 // A sentence for each kind of rays.

@@ -14,7 +14,17 @@ constexpr size_t kShare = size_t(1) << 16; // rays
 
 TraceRunner::TraceRunner(uint32_t threads) : threads_(threads), scheduler_(threads, {}, &memory_) {}
 
+double TraceRunner::run_batches(const Tracer& tracer, size_t mode, const RaySet& set,
+                                Results& results) const {
+    const auto now = [&] { return threads_ == 1 ? thread_seconds() : wall_seconds(); };
+    const double start = now();
+    for (size_t i = 0; i + 1 < set.batches.size(); ++i)
+        tracer.trace(mode, set, set.batches[i], set.batches[i + 1] - set.batches[i], results);
+    return now() - start;
+}
+
 double TraceRunner::run(const Tracer& tracer, size_t mode, const RaySet& set, Results& results) {
+    if (tracer.is_parallel(mode)) return run_batches(tracer, mode, set, results);
     struct Share {
         size_t first, count;
     };

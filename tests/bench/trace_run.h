@@ -14,10 +14,13 @@ public:
     explicit TraceRunner(uint32_t threads);
 
     // Seconds for the whole set. One thread: its CPU time, a call per batch. More: wall time, and
-    // batches are cut into runs of at most 65536 rays.
+    // batches are cut into runs of at most 65536 rays, unless the contestant does that itself.
     double run(const Tracer& tracer, size_t mode, const RaySet& set, Results& results);
 
 private:
+    double run_batches(const Tracer& tracer, size_t mode, const RaySet& set,
+                       Results& results) const;
+
     uint32_t threads_;
     base::HostMemory memory_{{}};
     base::Scheduler scheduler_;

@@ -5,9 +5,12 @@
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace peregrine::bench {
 namespace {
+
+constexpr const char* kBestMode = "best of each scene";
 
 // Ratios are there once there is a peer.
 std::string ratio_text(double ratio) {
@@ -15,6 +18,26 @@ std::string ratio_text(double ratio) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f", ratio);
     return text;
+}
+
+// Each scene and kind of rays with our fastest mode, as peers get theirs.
+std::vector<TraceRow> with_best_of_ours(const std::vector<TraceRow>& rows) {
+    std::vector<TraceRow> best;
+    for (const TraceRow& row : rows) {
+        if (row.contestant != "peregrine") continue;
+        const auto place = std::ranges::find_if(best, [&](const TraceRow& other) {
+            return other.scene == row.scene && other.rays == row.rays;
+        });
+        if (place == best.end())
+            best.push_back(row);
+        else if (row.mrays_per_s > place->mrays_per_s)
+            *place = row;
+    }
+    for (TraceRow& row : best) row.mode = kBestMode;
+    best.insert(best.begin(), rows.begin(), rows.end());
+    std::ranges::stable_sort(
+        best, {}, [](const TraceRow& row) { return std::string_view("PSADRLN").find(row.rays); });
+    return best;
 }
 
 // The others are models: of them a frame shows one thing in an empty room.
@@ -60,9 +83,8 @@ struct Summary {
     void print() const {
         const bool peer = first.contestant != "peregrine";
         std::printf("%-4c %-14s %-24s %9.2f %9s %9s %9s  %s\n", first.rays,
-                    first.contestant.c_str(), peer ? "best of each scene" : first.mode.c_str(),
-                    rate.value(), ratio_text(ratio.value()).c_str(),
-                    ratio_text(level_ratio.value()).c_str(),
+                    first.contestant.c_str(), peer ? kBestMode : first.mode.c_str(), rate.value(),
+                    ratio_text(ratio.value()).c_str(), ratio_text(level_ratio.value()).c_str(),
                     ratio_text(lowest_scene.empty() ? ratio.value() : lowest).c_str(),
                     lowest_scene.c_str());
     }
@@ -85,7 +107,7 @@ void print_trace_row(const TraceRow& row) {
 
 void print_trace_means(const std::vector<TraceRow>& rows) {
     std::vector<Summary> summaries;
-    for (const TraceRow& row : rows) {
+    for (const TraceRow& row : with_best_of_ours(rows)) {
         auto place = std::ranges::find_if(summaries, [&](auto& s) { return s.covers(row); });
         if (place == summaries.end()) {
             summaries.emplace_back(row);

@@ -6,16 +6,34 @@
 #include <peregrine/rt.h>
 
 #include <cstdint>
+#include <new>
 #include <string>
 #include <vector>
 
 namespace peregrine::bench {
 
-// Where a contestant leaves what it found, for ray i at place i: in one of these forms.
+// Begins with a cache line.
+template <class T>
+struct LineAllocator {
+    using value_type = T;
+    static constexpr std::align_val_t kLine{64};
+
+    LineAllocator() = default;
+    template <class U>
+    LineAllocator(const LineAllocator<U>&) {}
+    T* allocate(size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), kLine)); }
+    void deallocate(T* memory, size_t) { ::operator delete(memory, kLine); }
+    bool operator==(const LineAllocator&) const = default;
+};
+template <class T>
+using LineVector = std::vector<T, LineAllocator<T>>;
+
+// Where a contestant leaves what it found: in one of these forms. All have room for the whole set.
 struct Results {
     std::vector<rt_hit> hits;
-    std::vector<float> t;
-    std::vector<uint32_t> triangle, mesh;
+    LineVector<float> t;
+    LineVector<uint32_t> triangle, mesh;
+    LineVector<rt_mesh> meshes;
     std::vector<uint8_t> occluded;
 };
 
@@ -39,7 +57,10 @@ public:
     // What is measured. Rays [first, first + count) have a common origin if the set has any.
     virtual void trace(size_t mode, const RaySet& set, size_t first, size_t count,
                        Results& results) const = 0;
-    virtual Answer answer(const RaySet& set, const Results& results, size_t ray) const = 0;
+    virtual Answer answer(size_t mode, const RaySet& set, const Results& results,
+                          size_t ray) const = 0;
+    // Whether a mode spreads the work over threads of its own.
+    virtual bool is_parallel(size_t) const { return false; }
 
     double build_ms() const { return build_ms_; }
     double bytes_per_triangle() const { return bytes_per_triangle_; }
