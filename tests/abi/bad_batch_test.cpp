@@ -47,7 +47,7 @@ protected:
 
 TEST_F(BadBatch, OneFormOfRaysAndOneOfHits) {
     constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
-    for (const size_t count : {1, 5, 20}) {
+    for (const size_t count : {1u, 5u, 20u}) {
         refuse(
             count, [](ArrayQuery& q) { q.desc.rays = q.records.data(); }, kArgument,
             "rt_query_desc.rays and rt_query_desc.ray_arrays are both given");
@@ -70,7 +70,7 @@ TEST_F(BadBatch, OneFormOfRaysAndOneOfHits) {
 TEST_F(BadBatch, ArrayFields) {
     constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
     using Q = ArrayQuery;
-    for (const size_t count : {1, 20}) {
+    for (const size_t count : {1u, 20u}) {
         for (size_t k = 0; k < 3; ++k) {
             std::string axis(1, '[');
             axis += char('0' + k);
@@ -105,7 +105,8 @@ TEST_F(BadBatch, ArrayFields) {
 TEST_F(BadBatch, ABadRayAnywhereIsNamed) {
     constexpr size_t kCount = 2100;
     std::vector<rt_hit> hits(kCount);
-    for (const size_t place : {0, 1, 14, 15, 16, 500, 1023, 1024, 1025, 2047, 2048, 2098, 2099})
+    for (const size_t place :
+         {0u, 1u, 14u, 15u, 16u, 500u, 1023u, 1024u, 1025u, 2047u, 2048u, 2098u, 2099u})
         for (const size_t count : {size_t(1024), kCount}) {
             if (place >= count) continue;
             const std::string words = "ray " + std::to_string(place) + ": ";

@@ -65,7 +65,7 @@ TEST_F(Batch, OfEverySizeAndFormAnswersAsSingleRays) {
 
 TEST_F(Batch, ArraysAnswerAsRecordsAtAnyAlignment) {
     for (const size_t count : kSizes)
-        for (const size_t offset : {0, 16, 4, 1}) {
+        for (const size_t offset : {0u, 16u, 4u, 1u}) {
             const std::vector<rt_ray> rays = rays_from_above(count);
             const std::vector<rt_hit> expected = one_by_one(rays);
             const RayBatch in(rays, offset);
@@ -109,7 +109,7 @@ TEST_F(Batch, RaysOfOneOriginMaySaySo) {
 }
 
 TEST_F(Batch, AnAbsentRangeIsTheWholeRayAndAbsentResultsAreNotWanted) {
-    for (const size_t count : {5, 64, 1100}) {
+    for (const size_t count : {5u, 64u, 1100u}) {
         std::vector<rt_ray> rays = rays_from_above(count);
         for (rt_ray& ray : rays) ray.t_max = std::numeric_limits<float>::infinity();
         const std::vector<rt_hit> expected = one_by_one(rays);
