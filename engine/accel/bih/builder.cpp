@@ -1,62 +1,21 @@
 #include "accel/bih/builder.h"
 
 #include "accel/bih/top_levels.h"
-#include "accel/kdtree/buffer.h"
+#include "accel/buffer.h"
+#include "accel/subtrees.h"
 
-#include <algorithm>
 #include <chrono>
 
 namespace peregrine::accel::bih {
 namespace {
 
-constexpr uint32_t kTrianglesPerTask = 16384;
 constexpr uint64_t kMaxNodes = uint64_t(1) << 29; // as a link can say
 
-Extent make_references(std::span<const geometry::Triangle> triangles, base::Scheduler& scheduler,
-                       base::Memory* memory, Reference* references) {
-    const uint32_t tasks = uint32_t((triangles.size() + kTrianglesPerTask - 1) / kTrianglesPerTask);
-    base::Vector<Extent> extents(tasks, memory);
-    scheduler.for_each(tasks, [&](uint32_t task) {
-        const size_t end = std::min(triangles.size(), size_t(task + 1) * kTrianglesPerTask);
-        Extent extent;
-        for (size_t i = size_t(task) * kTrianglesPerTask; i < end; ++i) {
-            Bounds bounds;
-            for (const math::Vec3* v : {&triangles[i].v0, &triangles[i].v1, &triangles[i].v2})
-                bounds.extend(bvh::load(*v));
-            references[i] = Reference::make(uint32_t(i), bounds);
-            extent.extend(references[i]);
-        }
-        extents[task] = extent;
-    });
-    Extent extent;
-    for (const Extent& part : extents) {
-        extent.bounds.extend(part.bounds);
-        extent.centers.extend(part.centers);
-    }
-    return extent;
-}
-
-// Large ones first, so that no thread is left with one at the end.
 void build_subtrees(const Task& task, base::Vector<Subtree>& subtrees, base::Scheduler& scheduler) {
-    uint64_t work = 0;
-    base::Vector<uint32_t> order(task.memory);
-    for (uint32_t i = 0; i < subtrees.size(); ++i) {
-        work += subtrees[i].range.size();
-        order.push_back(i);
-    }
-    task.control.expect(work, kShareOfTop);
-    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-        const uint32_t size_a = subtrees[a].range.size();
-        const uint32_t size_b = subtrees[b].range.size();
-        return size_a != size_b ? size_a > size_b : a < b;
-    });
-    scheduler.for_each(uint32_t(subtrees.size()), [&](uint32_t i) {
-        if (task.control.cancelled()) return;
-        Subtree& subtree = subtrees[order[i]];
-        build_subtree(task, subtree);
-        task.control.finish(subtree.range.size());
-    });
-    task.control.throw_if_cancelled();
+    accel::build_subtrees(
+        uint32_t(subtrees.size()), [&](uint32_t i) { return subtrees[i].range.size(); },
+        [&](uint32_t i) { build_subtree(task, subtrees[i]); }, kShareOfTop, task.control, scheduler,
+        task.memory);
 }
 
 // A subtree's root goes where the top nodes have room for it, the rest behind them. Its references
@@ -116,7 +75,7 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
     if (control.report(0)) control.throw_if_cancelled();
     if (triangles.empty()) return tree;
 
-    kdtree::Buffer<Reference> references(memory);
+    Buffer<Reference> references(memory);
     references.allocate(triangles.size());
     const Task task{references.data(), options, control, memory};
     Range root{};

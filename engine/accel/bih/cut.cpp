@@ -15,8 +15,8 @@ double cost_inside(const BuildOptions& costs, uint32_t references) {
 } // namespace
 
 bool cut(const Task& task, Range& range, uint32_t child, Node& node) {
-    const bvh::Floats size = range.cell.upper - range.cell.lower;
-    const bvh::Floats tight = range.extent.bounds.upper - range.extent.bounds.lower;
+    const Floats size = range.cell.upper - range.cell.lower;
+    const Floats tight = range.extent.bounds.upper - range.extent.bounds.lower;
     const double sides[3] = {double(size[0]), double(size[1]), double(size[2])};
     const double whole = sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0];
     double most = 0;

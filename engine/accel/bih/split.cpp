@@ -1,11 +1,11 @@
 #include "accel/bih/split.h"
 
+#include "accel/bin_mapping.h"
+
 #include <algorithm>
 
 namespace peregrine::accel::bih {
 namespace {
-
-using bvh::Floats;
 
 constexpr uint32_t kBins = 16;
 constexpr uint32_t kFewBins = 8;
@@ -35,9 +35,9 @@ struct Bins {
         std::fill_n(bins, used, Bin{none.lower, none.upper, {}});
     }
 
-    void add(const Reference& reference, const bvh::BinMapping& mapping) {
+    void add(const Reference& reference, const BinMapping& mapping) {
         const Bounds box = reference.bounds();
-        const bvh::Ints place = mapping(box.lower + box.upper);
+        const Ints place = mapping(box.lower + box.upper);
         for (int axis = 0; axis < 3; ++axis) {
             Bin& bin = bins[place[axis]];
             bin.begin[axis] = std::min(bin.begin[axis], box.lower[axis]);
@@ -58,7 +58,7 @@ struct Plane {
 
 // All axes at once.
 Plane sweep(const Bin* bins, uint32_t used, const Bounds& cell) {
-    const float scale = bvh::scale_of(cell);
+    const float scale = scale_of(cell);
     const Floats size = (cell.upper - cell.lower) * scale;
     const Floats a = {size[1], size[2], size[0], 0}, b = {size[2], size[0], size[1], 0};
     const Floats face = a * b, girth = a + b;
@@ -67,22 +67,22 @@ Plane sweep(const Bin* bins, uint32_t used, const Bounds& cell) {
     Floats count = {}, end = cell.lower;
     for (uint32_t i = 0; i + 1 < used; ++i) {
         count += bins[i].count;
-        end = bvh::max(end, bins[i].end);
+        end = max(end, bins[i].end);
         const Floats cost = count * (face + girth * ((end - cell.lower) * scale));
         left_cost[i] = count > 0 ? cost : never;
     }
     count = Floats{};
     Floats begin = cell.upper, best = never;
-    bvh::Ints best_bin = {};
+    Ints best_bin = {};
     for (uint32_t i = used - 1; i > 0; --i) {
         count += bins[i].count;
-        begin = bvh::min(begin, bins[i].begin);
+        begin = min(begin, bins[i].begin);
         const Floats cost = count * (face + girth * ((cell.upper - begin) * scale));
         const Floats both = left_cost[i - 1] + (count > 0 ? cost : never);
-        best_bin = both < best ? bvh::Ints{} + int32_t(i) : best_bin;
-        best = bvh::min(best, both);
+        best_bin = both < best ? Ints{} + int32_t(i) : best_bin;
+        best = min(best, both);
     }
-    const float area = bvh::half_area(size);
+    const float area = accel::half_area(size);
     Plane plane;
     for (uint32_t axis = 0; axis < 3; ++axis)
         if (best[axis] < plane.cost) plane = {best[axis], axis, uint32_t(best_bin[axis])};
@@ -92,14 +92,14 @@ Plane sweep(const Bin* bins, uint32_t used, const Bounds& cell) {
 
 Plane find_plane(const Task& task, const Range& range) {
     const uint32_t used = bins_for(range.size());
-    const bvh::BinMapping mapping(range.extent.centers, used);
+    const BinMapping mapping(range.extent.centers, used);
     Bins bins(used);
     for (uint32_t i = range.begin; i < range.end; ++i) bins.add(task.references[i], mapping);
     return sweep(bins.bins, used, range.cell);
 }
 
 void partition(const Task& task, const Range& range, const Plane& plane, Halves& halves) {
-    const bvh::BinMapping mapping(range.extent.centers, bins_for(range.size()));
+    const BinMapping mapping(range.extent.centers, bins_for(range.size()));
     const auto is_left = [&](const Reference& reference) {
         return mapping(reference.doubled_center())[int(plane.axis)] < int(plane.bin);
     };
@@ -135,8 +135,8 @@ void halve(const Task& task, const Range& range, Halves& halves) {
                          return at != bt ? at < bt : a.biased_triangle < b.biased_triangle;
                      });
     halves.axis = uint32_t(axis);
-    halves.left.extent = bvh::extent_of({begin, half});
-    halves.right.extent = bvh::extent_of({begin + half, range.size() - half});
+    halves.left.extent = extent_of({begin, half});
+    halves.right.extent = extent_of({begin + half, range.size() - half});
     halves.left.end = range.begin + half;
 }
 

@@ -1,18 +1,13 @@
 #pragma once
 
 #include "accel/bih/builder.h"
-#include "accel/bvh/object_split.h"
-#include "accel/kdtree/control.h"
+#include "accel/control.h"
+#include "accel/reference.h"
 
 #include <bit>
 #include <cstdint>
 
 namespace peregrine::accel::bih {
-
-using bvh::Bounds;
-using bvh::Extent;
-using bvh::Reference;
-using kdtree::Control;
 
 inline constexpr uint64_t kMaxTriangles = uint64_t(1) << 27;
 

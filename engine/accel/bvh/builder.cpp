@@ -7,6 +7,7 @@
 #include "accel/bvh/reinsertion.h"
 #include "accel/bvh/subtree.h"
 #include "accel/bvh/top_levels.h"
+#include "accel/subtrees.h"
 
 #include <algorithm>
 #include <chrono>
@@ -15,40 +16,14 @@
 namespace peregrine::accel::bvh {
 namespace {
 
-constexpr uint32_t kTrianglesPerTask = 16384;
 constexpr uint64_t kMaxBlocks = uint64_t(1) << 26; // as a link can say
-
-Extent make_references(std::span<const geometry::Triangle> triangles, base::Scheduler& scheduler,
-                       base::Memory* memory, Reference* references) {
-    const uint32_t tasks = uint32_t((triangles.size() + kTrianglesPerTask - 1) / kTrianglesPerTask);
-    base::Vector<Extent> extents(tasks, memory);
-    scheduler.for_each(tasks, [&](uint32_t task) {
-        const uint32_t end =
-            uint32_t(std::min<size_t>(triangles.size(), size_t(task + 1) * kTrianglesPerTask));
-        Extent extent;
-        for (uint32_t i = task * kTrianglesPerTask; i < end; ++i) {
-            Bounds bounds;
-            for (const math::Vec3* v : {&triangles[i].v0, &triangles[i].v1, &triangles[i].v2})
-                bounds.extend(load(*v));
-            references[i] = Reference::make(i, bounds);
-            extent.extend(references[i]);
-        }
-        extents[task] = extent;
-    });
-    Extent extent;
-    for (const Extent& part : extents) {
-        extent.bounds.extend(part.bounds);
-        extent.centers.extend(part.centers);
-    }
-    return extent;
-}
 
 Range make_root(std::span<const geometry::Triangle> triangles, Task& task,
                 base::Scheduler& scheduler, Arena& arena, Clusters& clusters) {
     uint32_t count = uint32_t(triangles.size());
     Range root{};
     if (task.effort.clusters) {
-        kdtree::Buffer<Reference> references(task.memory);
+        Buffer<Reference> references(task.memory);
         references.allocate(count);
         const Extent extent = make_references(triangles, scheduler, task.memory, references.data());
         make_clusters(task, references.data(), count, extent, scheduler, clusters);
@@ -67,28 +42,12 @@ Range make_root(std::span<const geometry::Triangle> triangles, Task& task,
     return root;
 }
 
-// Large ones first, so that no thread is left with one at the end.
 void build_subtrees(const Task& task, Arena& arena, base::Vector<Subtree>& subtrees,
                     base::Scheduler& scheduler) {
-    uint64_t work = 0;
-    base::Vector<uint32_t> order(task.memory);
-    for (uint32_t i = 0; i < subtrees.size(); ++i) {
-        work += subtrees[i].range.size();
-        order.push_back(i);
-    }
-    task.control.expect(work, kShareOfTop);
-    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-        const uint32_t size_a = subtrees[a].range.size();
-        const uint32_t size_b = subtrees[b].range.size();
-        return size_a != size_b ? size_a > size_b : a < b;
-    });
-    scheduler.for_each(uint32_t(subtrees.size()), [&](uint32_t i) {
-        if (task.control.cancelled()) return;
-        Subtree& subtree = subtrees[order[i]];
-        build_subtree(task, arena, subtree.range, subtree.nodes);
-        task.control.finish(subtree.range.size());
-    });
-    task.control.throw_if_cancelled();
+    accel::build_subtrees(
+        uint32_t(subtrees.size()), [&](uint32_t i) { return subtrees[i].range.size(); },
+        [&](uint32_t i) { build_subtree(task, arena, subtrees[i].range, subtrees[i].nodes); },
+        kShareOfTop, task.control, scheduler, task.memory);
 }
 
 // A subtree's root goes where the top nodes have room for it, the rest to the end.

@@ -90,9 +90,9 @@ private:
     uint32_t chunk_;
     uint32_t chunks_;
     base::Scheduler& scheduler_;
-    kdtree::Buffer<Key> keys_;
-    kdtree::Buffer<Key> spare_;
-    kdtree::Buffer<uint32_t> offsets_;
+    Buffer<Key> keys_;
+    Buffer<Key> spare_;
+    Buffer<uint32_t> offsets_;
 };
 
 // Cuts a run of keys where their highest different bit changes, until all are small.

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "accel/buffer.h"
 #include "accel/bvh/object_split.h"
 #include "accel/bvh/task.h"
-#include "accel/kdtree/buffer.h"
 #include "base/scheduler.h"
 
 namespace peregrine::accel::bvh {
@@ -15,7 +15,7 @@ static_assert(kMaxCluster <= kClusterDepth);
 struct Clusters {
     explicit Clusters(base::Memory* memory) : members(memory), groups(memory) {}
 
-    kdtree::Buffer<Reference> members; // sorted along a Morton curve
+    Buffer<Reference> members; // sorted along a Morton curve
     base::Vector<Reference> groups;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/bvh/reference.h"
+#include "accel/reference.h"
 #include "geometry/triangle.h"
 
 namespace peregrine::accel::bvh {

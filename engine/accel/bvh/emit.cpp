@@ -1,7 +1,7 @@
 #include "accel/bvh/emit.h"
 
+#include "accel/buffer.h"
 #include "accel/bvh/front_to_back.h"
-#include "accel/kdtree/buffer.h"
 
 #include <algorithm>
 
@@ -136,7 +136,7 @@ private:
     const WideTree& wide_;
     Tree& tree_;
     base::Vector<Share> shares_;
-    kdtree::Buffer<uint32_t> triangles_; // leaf after leaf
+    Buffer<uint32_t> triangles_; // leaf after leaf
 };
 
 } // namespace

@@ -53,12 +53,6 @@ void sweep(const Bins& bins, uint32_t used, uint32_t axis, float scale, Split& b
 
 } // namespace
 
-Extent extent_of(std::span<const Reference> references) {
-    Extent extent;
-    for (const Reference& reference : references) extent.extend(reference);
-    return extent;
-}
-
 Split find_split(std::span<const Reference> references, const Extent& extent, uint32_t bins) {
     const BinMapping mapping(extent.centers, bins);
     Bins content(bins);

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "accel/buffer.h"
 #include "accel/bvh/object_split.h"
 #include "accel/bvh/spatial_split.h"
 #include "accel/bvh/task.h"
-#include "accel/kdtree/buffer.h"
 
 #include <span>
 
@@ -25,7 +25,7 @@ public:
 
 private:
     uint32_t capacity_ = 0;
-    kdtree::Buffer<Reference> references_;
+    Buffer<Reference> references_;
 };
 
 // A node yet to be built over references [begin, end) of the arena. Its slots, from slots_begin to

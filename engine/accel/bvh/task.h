@@ -1,14 +1,12 @@
 #pragma once
 
 #include "accel/bvh/builder.h"
-#include "accel/bvh/reference.h"
-#include "accel/kdtree/control.h"
+#include "accel/control.h"
+#include "accel/reference.h"
 
 #include <cstdint>
 
 namespace peregrine::accel::bvh {
-
-using kdtree::Control;
 
 inline constexpr uint64_t kMaxTriangles = uint64_t(1) << 27;
 

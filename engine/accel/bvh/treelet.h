@@ -1,7 +1,7 @@
 #pragma once
 
 #include "accel/bvh/binary_tree.h"
-#include "accel/bvh/reference.h"
+#include "accel/reference.h"
 
 #include <span>
 

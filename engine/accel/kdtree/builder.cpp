@@ -4,6 +4,7 @@
 #include "accel/kdtree/builder_pool.h"
 #include "accel/kdtree/root.h"
 #include "accel/kdtree/top_levels.h"
+#include "accel/subtrees.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,39 +19,23 @@ uint32_t depth_limit(size_t triangles) {
     return std::min(kMaxDepth, uint32_t(wanted));
 }
 
-// Large ones first, so that no thread is left with one at the end.
-base::Vector<uint32_t> order_of_work(const base::Vector<TopNode>& top, base::Memory* memory) {
-    base::Vector<uint32_t> order(memory);
-    for (uint32_t i = 0; i < top.size(); ++i)
-        if (!top[i].is_inner()) order.push_back(i);
-    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-        const uint32_t size_a = top[a].lists.triangles;
-        const uint32_t size_b = top[b].lists.triangles;
-        return size_a != size_b ? size_a > size_b : a < b;
-    });
-    return order;
-}
-
 base::Vector<Subtree> build_subtrees(const Task& task, base::Vector<TopNode>& top,
                                      base::Scheduler& scheduler) {
-    const base::Vector<uint32_t> order = order_of_work(top, task.memory);
-    uint64_t work = 0;
-    for (uint32_t i : order) work += top[i].lists.triangles;
-    task.control.expect(work, TopLevels::kShareOfTime);
-
+    base::Vector<uint32_t> roots(task.memory); // among the top nodes
+    for (uint32_t i = 0; i < top.size(); ++i)
+        if (!top[i].is_inner()) roots.push_back(i);
     base::Vector<Subtree> subtrees(task.memory);
     subtrees.reserve(top.size());
     for (size_t i = 0; i < top.size(); ++i) subtrees.emplace_back(task.memory);
     BuilderPool pool(task);
-    scheduler.for_each(uint32_t(order.size()), [&](uint32_t i) {
-        if (task.control.cancelled()) return;
-        TopNode& root = top[order[i]];
-        BuilderPool::Lease builder(pool);
-        const uint32_t triangles = root.lists.triangles;
-        builder->build(std::move(root.lists), root.place, subtrees[order[i]]);
-        task.control.finish(triangles);
-    });
-    task.control.throw_if_cancelled();
+    accel::build_subtrees(
+        uint32_t(roots.size()), [&](uint32_t i) { return top[roots[i]].lists.triangles; },
+        [&](uint32_t i) {
+            TopNode& root = top[roots[i]];
+            BuilderPool::Lease builder(pool);
+            builder->build(std::move(root.lists), root.place, subtrees[roots[i]]);
+        },
+        TopLevels::kShareOfTime, task.control, scheduler, task.memory);
     return subtrees;
 }
 

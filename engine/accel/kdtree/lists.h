@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/kdtree/buffer.h"
+#include "accel/buffer.h"
 #include "accel/kdtree/event.h"
 #include "base/memory.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/kdtree/control.h"
+#include "accel/control.h"
 #include "accel/kdtree/cost.h"
 #include "base/memory.h"
 #include "geometry/triangle.h"

@@ -75,13 +75,14 @@ inline bool intersect(const geometry::ShearedRay& ray, const Block& block, uint3
     return geometry::intersect(ray, vertex(0), vertex(1), vertex(2), hit);
 }
 
-template <bool Filtered, class Real>
-Hit closest_plain(const Target& target, const math::Ray& ray, const Filter& filter) {
-    geometry::ShearedRay sheared = geometry::shear(ray);
-    Hit best = miss(0);
-    const uint32_t steps = visit_triangles(
-        target, slabs(target.bounds, ray, reach<Real>(target.bounds, ray.origin)),
-        [&](const Block& block, uint32_t lane, Real& t_limit) {
+// For OneRay.
+struct Plain {
+    template <bool Filtered, class Real>
+    static Hit closest(const Target& target, const math::Ray& ray, const Filter& filter,
+                       Real reach) {
+        geometry::ShearedRay sheared = geometry::shear(ray);
+        Hit best = miss(0);
+        const auto test = [&](const Block& block, uint32_t lane, Real& t_limit) {
             geometry::TriangleHit hit;
             const uint32_t index = block.triangle[lane];
             if (!intersect(sheared, block, lane, hit)
@@ -92,30 +93,37 @@ Hit closest_plain(const Target& target, const math::Ray& ray, const Filter& filt
             sheared.t_max = hit.t;
             t_limit = std::min(t_limit, Real(hit.t));
             return false;
-        });
-    best.steps = steps;
-    return best;
-}
+        };
+        best.steps = visit_triangles(target, slabs(target.bounds, ray, reach), test);
+        return best;
+    }
 
-template <bool Filtered, class Real>
-bool occluded_plain(const Target& target, const math::Ray& ray, const Filter& filter) {
-    const geometry::ShearedRay sheared = geometry::shear(ray);
-    bool occluded = false;
-    visit_triangles(target, slabs(target.bounds, ray, reach<Real>(target.bounds, ray.origin)),
-                    [&](const Block& block, uint32_t lane, Real&) {
-                        geometry::TriangleHit hit;
-                        occluded = intersect(sheared, block, lane, hit)
-                                   && (!Filtered
-                                       || filter.accepts(target.infos[block.triangle[lane]],
-                                                         hit.back_face, hit.u, hit.v));
-                        return occluded;
-                    });
-    return occluded;
-}
+    template <bool Filtered, class Real>
+    static bool occluded(const Target& target, const math::Ray& ray, const Filter& filter,
+                         Real reach) {
+        const geometry::ShearedRay sheared = geometry::shear(ray);
+        bool occluded = false;
+        const auto test = [&](const Block& block, uint32_t lane, Real&) {
+            geometry::TriangleHit hit;
+            occluded = intersect(sheared, block, lane, hit)
+                       && (!Filtered
+                           || filter.accepts(target.infos[block.triangle[lane]], hit.back_face,
+                                             hit.u, hit.v));
+            return occluded;
+        };
+        visit_triangles(target, slabs(target.bounds, ray, reach), test);
+        return occluded;
+    }
+};
 
-// Whether float has the range for this ray.
-inline bool is_regular(const Target& target, const math::Ray& ray) {
-    return fits_float(largest_component(ray.direction), reach<float>(target.bounds, ray.origin));
+// For rays that SIMD kernels leave aside.
+template <bool Filtered>
+Hit closest_in_double(const Target& target, const math::Ray& ray, const Filter& filter) {
+    return Plain::closest<Filtered>(target, ray, filter, reach<double>(target.bounds, ray.origin));
+}
+template <bool Filtered>
+bool occluded_in_double(const Target& target, const math::Ray& ray, const Filter& filter) {
+    return Plain::occluded<Filtered>(target, ray, filter, reach<double>(target.bounds, ray.origin));
 }
 
 } // namespace peregrine::trace::bvh

@@ -89,7 +89,7 @@ template <bool Filtered>
 HWY_ATTR Hit closest(const Target& target, const math::Ray& ray, const Filter& filter) {
     const RayLanes lanes(target.bounds, ray);
     if (!fits_float(hn::GetLane(lanes.largest), hn::GetLane(lanes.reach))) [[unlikely]]
-        return closest_plain<Filtered, double>(target, ray, filter);
+        return closest_in_double<Filtered>(target, ray, filter);
     const NodeRay node_ray(lanes);
     const BlockRay block_ray(lanes, ray);
     float t_max = block_ray.t_max;
@@ -123,7 +123,7 @@ template <bool Filtered>
 HWY_ATTR bool occluded(const Target& target, const math::Ray& ray, const Filter& filter) {
     const RayLanes lanes(target.bounds, ray);
     if (!fits_float(hn::GetLane(lanes.largest), hn::GetLane(lanes.reach))) [[unlikely]]
-        return occluded_plain<Filtered, double>(target, ray, filter);
+        return occluded_in_double<Filtered>(target, ray, filter);
     const NodeRay node_ray(lanes);
     const BlockRay block_ray(lanes, ray);
     return visit_any(

@@ -33,7 +33,7 @@ HWY_ATTR void closest_wave(const Target& target, const RayStream& rays, const Fi
         wave.trace(
             rays, first, std::min(kWaveStream, rays.count - first),
             [&](uint32_t i) HWY_ATTR {
-                hits.store(i, closest_plain<Filtered, double>(target, ray_at(rays, i), filter));
+                hits.store(i, closest_in_double<Filtered>(target, ray_at(rays, i), filter));
             },
             [&](uint32_t i, const Hit& hit) HWY_ATTR {
                 hits.t[i] = hit.t;
@@ -56,7 +56,7 @@ HWY_ATTR void occluded_wave(const Target& target, const RayStream& rays, const F
         wave.trace(
             rays, first, std::min(kWaveStream, rays.count - first),
             [&](uint32_t i) HWY_ATTR {
-                occluded[i] = occluded_plain<Filtered, double>(target, ray_at(rays, i), filter);
+                occluded[i] = occluded_in_double<Filtered>(target, ray_at(rays, i), filter);
             },
             [&](uint32_t i, bool hit) HWY_ATTR { occluded[i] |= uint8_t(hit); },
             [](uint32_t, uint32_t) {});

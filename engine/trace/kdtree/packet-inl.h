@@ -257,8 +257,8 @@ private:
             if (!(lanes >> i & 1)) continue;
             const size_t at = first_ + i;
             const math::Ray ray = ray_at(rays_, at);
-            const Hit hit = closest_single<Filtered, double>(
-                target_, ray, filter_, reach<double>(target_.bounds, ray.origin));
+            const Hit hit = Single::closest<Filtered>(target_, ray, filter_,
+                                                      reach<double>(target_.bounds, ray.origin));
             hits.t[at] = hit.t;
             hits.u[at] = hit.u;
             hits.v[at] = hit.v;
@@ -333,8 +333,8 @@ private:
         for (uint64_t i = 0; lanes >> i; ++i) {
             if (!(lanes >> i & 1)) continue;
             const math::Ray ray = ray_at(rays_, first_ + i);
-            if (occluded_single<Filtered, double>(target_, ray, filter_,
-                                                  reach<double>(target_.bounds, ray.origin)))
+            if (Single::occluded<Filtered>(target_, ray, filter_,
+                                           reach<double>(target_.bounds, ray.origin)))
                 blocked |= uint64_t(1) << i;
         }
         return blocked;

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <thread>
 
-namespace peregrine::accel::kdtree {
+namespace peregrine::accel {
 
 // Reports progress from the thread that called build and spreads the word if it is to stop.
 class Control {
@@ -50,4 +50,4 @@ private:
     std::atomic<bool> cancelled_{false};
 };
 
-} // namespace peregrine::accel::kdtree
+} // namespace peregrine::accel

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "accel/bih/tree.h"
-#include "geometry/intersect.h"
 #include "trace/kernels.h"
+#include "trace/reference_lists.h"
 #include "trace/slabs.h"
 
 // One ray through the bounding interval hierarchy, in float or double.
@@ -80,50 +80,24 @@ uint32_t visit_leaves(const Target& target, const Slabs<Real>& ray, Leaf&& leaf)
     }
 }
 
-template <bool Filtered, class Real>
-Hit closest_plain(const Target& target, const math::Ray& ray, const Filter& filter, Real reach) {
-    geometry::ShearedRay sheared = geometry::shear(ray);
-    uint32_t best = geometry::kNoTriangle;
-    geometry::TriangleHit found{};
-    const uint32_t steps = visit_leaves(
-        target, slabs<Real>(target.bounds, ray, reach),
-        [&](uint32_t first, uint32_t count, Real& t_limit) {
-            for (uint32_t i = first; i < first + count; ++i) {
-                const uint32_t index = target.bih_references[i];
-                const auto& triangle = target.triangles[index];
-                geometry::TriangleHit hit;
-                if (!geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)
-                    || !comes_first(hit.t, index, sheared.t_max, best))
-                    continue;
-                if (Filtered && !filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v))
-                    continue;
-                best = index;
-                found = hit;
-                sheared.t_max = hit.t;
-                t_limit = std::min(t_limit, Real(hit.t));
-            }
-            return false;
-        });
-    if (best == geometry::kNoTriangle) return miss(steps);
-    return {found.t, found.u, found.v, best, found.back_face, steps};
-}
+// For OneRay.
+struct Single {
+    template <bool Filtered, class Real>
+    static Hit closest(const Target& target, const math::Ray& ray, const Filter& filter,
+                       Real reach) {
+        return closest_in_lists<Filtered>(target, target.bih_references, ray, filter, reach, visit);
+    }
+    template <bool Filtered, class Real>
+    static bool occluded(const Target& target, const math::Ray& ray, const Filter& filter,
+                         Real reach) {
+        return occluded_in_lists<Filtered>(target, target.bih_references, ray, filter, reach,
+                                           visit);
+    }
 
-template <bool Filtered, class Real>
-bool occluded_plain(const Target& target, const math::Ray& ray, const Filter& filter, Real reach) {
-    const geometry::ShearedRay sheared = geometry::shear(ray);
-    bool occluded = false;
-    visit_leaves(
-        target, slabs<Real>(target.bounds, ray, reach), [&](uint32_t first, uint32_t count, Real&) {
-            for (uint32_t i = first; i < first + count; ++i) {
-                const auto& triangle = target.triangles[target.bih_references[i]];
-                geometry::TriangleHit hit;
-                if (geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)
-                    && (!Filtered || filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v)))
-                    return occluded = true;
-            }
-            return false;
-        });
-    return occluded;
-}
+private:
+    static constexpr auto visit = [](const Target& target, const auto& ray, auto& leaf) {
+        return visit_leaves(target, ray, leaf);
+    };
+};
 
 } // namespace peregrine::trace::bih

@@ -1,12 +1,16 @@
 #pragma once
 
+#include "base/memory.h"
+#include "base/scheduler.h"
+#include "geometry/triangle.h"
 #include "math/box.h"
 
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
 
-namespace peregrine::accel::bvh {
+namespace peregrine::accel {
 
 // GCC's and Clang's vectors: x, y, z and a lane that is ignored.
 using Floats [[gnu::vector_size(16)]] = float;
@@ -81,4 +85,21 @@ struct alignas(16) Reference {
 };
 static_assert(sizeof(Reference) == 32);
 
-} // namespace peregrine::accel::bvh
+// Box of references and of their doubled centres.
+struct Extent {
+    Bounds bounds;
+    Bounds centers;
+
+    void extend(const Reference& reference) {
+        bounds.extend(reference.bounds());
+        centers.extend(reference.doubled_center());
+    }
+};
+
+Extent extent_of(std::span<const Reference> references);
+
+// The references of a list of triangles, one each, into room for as many; returns what they span.
+Extent make_references(std::span<const geometry::Triangle> triangles, base::Scheduler& scheduler,
+                       base::Memory* memory, Reference* references);
+
+} // namespace peregrine::accel

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace peregrine::accel::kdtree {
+namespace peregrine::accel {
 
 // Growable memory that is never initialised: the builder writes before it reads.
 template <class T>
@@ -64,4 +64,4 @@ private:
     size_t capacity_ = 0;
 };
 
-} // namespace peregrine::accel::kdtree
+} // namespace peregrine::accel

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "trace/kernels.h"
+#include "trace/slabs.h"
+
+namespace peregrine::trace {
+
+// The kernels for one ray in plain C++, given what a structure knows:
+//     template <bool Filtered, class Real>
+//     static Hit closest(const Target&, const math::Ray&, const Filter&, Real reach);
+// and occluded likewise. Rays whose numbers do not fit float take double.
+template <class Structure>
+class OneRay {
+public:
+    static Hit closest(const Target& target, const math::Ray& ray, const Filter& filter) {
+        if (target.bounds.empty()) return miss(0);
+        return filter.trivial() ? closest<false>(target, ray, filter)
+                                : closest<true>(target, ray, filter);
+    }
+
+    static bool occluded(const Target& target, const math::Ray& ray, const Filter& filter) {
+        if (target.bounds.empty()) return false;
+        return filter.trivial() ? occluded<false>(target, ray, filter)
+                                : occluded<true>(target, ray, filter);
+    }
+
+private:
+    template <bool Filtered>
+    static Hit closest(const Target& target, const math::Ray& ray, const Filter& filter) {
+        const float distance = reach<float>(target.bounds, ray.origin);
+        if (fits_float(largest_component(ray.direction), distance))
+            return Structure::template closest<Filtered>(target, ray, filter, distance);
+        return Structure::template closest<Filtered>(target, ray, filter,
+                                                     reach<double>(target.bounds, ray.origin));
+    }
+
+    template <bool Filtered>
+    static bool occluded(const Target& target, const math::Ray& ray, const Filter& filter) {
+        const float distance = reach<float>(target.bounds, ray.origin);
+        if (fits_float(largest_component(ray.direction), distance))
+            return Structure::template occluded<Filtered>(target, ray, filter, distance);
+        return Structure::template occluded<Filtered>(target, ray, filter,
+                                                      reach<double>(target.bounds, ray.origin));
+    }
+};
+
+} // namespace peregrine::trace

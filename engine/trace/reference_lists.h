@@ -1,0 +1,57 @@
+#pragma once
+
+#include "geometry/intersect.h"
+#include "trace/kernels.h"
+#include "trace/slabs.h"
+
+#include <algorithm>
+
+// One ray through a structure whose leaves are ranges of references to Target::triangles.
+// `visit(target, slabs, leaf)` calls leaf(first, count, t_limit) for each leaf that the ray may
+// touch, until that returns true, and returns the number of nodes visited.
+namespace peregrine::trace {
+
+template <bool Filtered, class Real, class Visit>
+Hit closest_in_lists(const Target& target, const uint32_t* references, const math::Ray& ray,
+                     const Filter& filter, Real reach, Visit&& visit) {
+    geometry::ShearedRay sheared = geometry::shear(ray);
+    Hit best = miss(0);
+    const auto leaf = [&](uint32_t first, uint32_t count, Real& t_limit) {
+        for (uint32_t i = first; i < first + count; ++i) {
+            const uint32_t index = references[i];
+            const auto& triangle = target.triangles[index];
+            geometry::TriangleHit hit;
+            if (!geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)
+                || !comes_first(hit.t, index, sheared.t_max, best.triangle)
+                || (Filtered && !filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v)))
+                continue;
+            best = {hit.t, hit.u, hit.v, index, hit.back_face, 0};
+            sheared.t_max = hit.t;
+            t_limit = std::min(t_limit, Real(hit.t));
+        }
+        return false;
+    };
+    best.steps = visit(target, slabs<Real>(target.bounds, ray, reach), leaf);
+    return best;
+}
+
+template <bool Filtered, class Real, class Visit>
+bool occluded_in_lists(const Target& target, const uint32_t* references, const math::Ray& ray,
+                       const Filter& filter, Real reach, Visit&& visit) {
+    const geometry::ShearedRay sheared = geometry::shear(ray);
+    bool occluded = false;
+    const auto leaf = [&](uint32_t first, uint32_t count, Real&) {
+        for (uint32_t i = first; i < first + count; ++i) {
+            const auto& triangle = target.triangles[references[i]];
+            geometry::TriangleHit hit;
+            if (geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)
+                && (!Filtered || filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v)))
+                return occluded = true;
+        }
+        return false;
+    };
+    visit(target, slabs<Real>(target.bounds, ray, reach), leaf);
+    return occluded;
+}
+
+} // namespace peregrine::trace
