@@ -8,8 +8,8 @@
 
 #include <hwy/highway.h>
 
-#include "trace/bvh/lanes-inl.h"
 #include "trace/kernels.h"
+#include "trace/lanes-inl.h"
 #include "trace/slabs.h"
 
 #include <algorithm>
@@ -17,6 +17,8 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+using namespace trace::HWY_NAMESPACE;
 
 inline constexpr uint32_t kGroupRays = 32;
 inline constexpr uint32_t kGroups = 16; // bits of a uint32_t tell which ones

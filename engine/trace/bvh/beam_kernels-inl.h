@@ -11,16 +11,19 @@
 
 #include "geometry/intersect.h"
 #include "trace/bvh/beam_traversal-inl.h"
-#include "trace/bvh/decide-inl.h"
 #include "trace/bvh/hit_board-inl.h"
+#include "trace/bvh/judge-inl.h"
 #include "trace/bvh/plain.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-// Judges a group's candidates: kernel.take(at, lanes, verdict, dz, index) hears of eight at a time,
-// kernel.test_one(block, lane, at) is asked for those that stand alone or whose main axis is
-// another; `at` counts from the beam's first ray. Returns whether the kernel changed a limit.
+using namespace trace::HWY_NAMESPACE;
+
+// Judges a group's candidates: kernel.take(at, hits, dz, index) hears of those of eight rays up to
+// kernel.end(at), kernel.test_one(block, lane, at) is asked for those that stand alone or whose
+// main axis is another; `at` counts from the beam's first ray. Returns whether the kernel changed a
+// limit.
 template <bool Inside, class Kernel>
 HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, const Facets& facets,
                                      const Block& block, uint32_t lane, uint32_t group,
@@ -37,28 +40,17 @@ HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, co
         }
         const uint32_t at = group * kGroupRays + i;
         const V8 dz = hn::LoadU(k8, rays.direction[beam.kz] + beam.first + at);
-        const Verdict verdict =
-            judge<Inside>(facet, hn::Load(k8, beam.sx + at), hn::Load(k8, beam.sy + at), dz);
-        changed |= kernel.take(at, mask_of(piece), verdict, dz, block.triangle[lane]);
+        const V8 begin = hn::LoadU(k8, rays.t_min + beam.first + at);
+        const EightHits hits =
+            judge<Inside>(facet, hn::Load(k8, beam.sx + at), hn::Load(k8, beam.sy + at), dz,
+                          mask_of(piece), begin, kernel.end(at));
+        if (!hn::AllFalse(k8, hits.lanes))
+            changed |= kernel.take(at, hits, dz, block.triangle[lane]);
     }
     for (; alone; alone &= alone - 1)
         changed |=
             kernel.test_one(block, lane, group * kGroupRays + uint32_t(__builtin_ctz(alone)));
     return changed;
-}
-
-// 1 in lanes where the side seen is the clockwise one.
-HWY_INLINE HWY_ATTR hn::Vec<D8u> back_faces(const Verdict& verdict, V8 dz) {
-    return hn::ShiftRight<31>(hn::BitCast(k8u, hn::Xor(verdict.det, dz)));
-}
-
-template <bool Filtered>
-HWY_INLINE HWY_ATTR M8 accepted(M8 lanes, const Filter& filter, const geometry::TriangleInfo& info,
-                                const Verdict& verdict, V8 dz) {
-    if (!Filtered) return lanes;
-    const PacketHit hit{lanes, verdict.t, verdict.u, verdict.v,
-                        hn::BitCast(k8, back_faces(verdict, dz))};
-    return trace::HWY_NAMESPACE::accepted(lanes, filter, info, hit);
 }
 
 // The canonical test for one ray, with t up to `end`.
@@ -89,13 +81,14 @@ public:
         if (changed) beam_.update_limit(group);
     }
 
-    HWY_INLINE HWY_ATTR bool take(uint32_t at, M8 lanes, const Verdict& verdict, V8 dz,
-                                  uint32_t index) {
-        M8 wins = board_.find_wins(at, lanes, verdict.t, index);
-        wins = accepted<Filtered>(wins, filter_, target_.infos[index], verdict, dz);
+    HWY_INLINE HWY_ATTR V8 end(uint32_t at) const { return board_.best(at); }
+
+    HWY_INLINE HWY_ATTR bool take(uint32_t at, const EightHits& hits, V8 dz, uint32_t index) {
+        M8 wins = board_.find_wins(at, hits, index);
+        if (Filtered) wins = accepted(wins, filter_, target_.infos[index], hits);
         if (hn::AllFalse(k8, wins)) return false;
-        board_.record(at, wins, verdict.t, verdict.u, verdict.v, index, back_faces(verdict, dz));
-        const V8 z = hn::Mul(verdict.t, hn::Mul(dz, hn::Set(k8, beam_.sign)));
+        board_.record(at, wins, hits, index);
+        const V8 z = hn::Mul(hits.t, hn::Mul(dz, hn::Set(k8, beam_.sign)));
         HitBoard::replace(wins, z, beam_.limit + at);
         return true;
     }
@@ -145,14 +138,13 @@ public:
         if (certain || changed) beam_.update_limit(group);
     }
 
-    HWY_INLINE HWY_ATTR bool take(uint32_t at, M8 lanes, const Verdict& verdict, V8 dz,
-                                  uint32_t index) {
-        const V8 begin = hn::LoadU(k8, rays_.t_min + beam_.first + at);
-        const V8 end =
-            hn::Min(hn::LoadU(k8, rays_.t_max + beam_.first + at), hn::Set(k8, kLargestFloat));
-        const M8 in_range = hn::And(hn::Ge(verdict.t, begin), hn::Le(verdict.t, end));
-        const M8 hit = accepted<Filtered>(hn::And(lanes, in_range), filter_, target_.infos[index],
-                                          verdict, dz);
+    HWY_INLINE HWY_ATTR V8 end(uint32_t at) const {
+        return hn::LoadU(k8, rays_.t_max + beam_.first + at);
+    }
+
+    HWY_INLINE HWY_ATTR bool take(uint32_t at, const EightHits& hits, V8, uint32_t index) {
+        M8 hit = hits.lanes;
+        if (Filtered) hit = accepted(hit, filter_, target_.infos[index], hits);
         if (hn::AllFalse(k8, hit)) return false;
         block_lanes(at, hit);
         blocked_[at / kGroupRays] |= bits_of(k8, hit) << at % kGroupRays;

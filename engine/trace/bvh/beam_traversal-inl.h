@@ -11,14 +11,15 @@
 #include "trace/bvh/beam-inl.h"
 #include "trace/bvh/facet-inl.h"
 #include "trace/bvh/tiny_leaf-inl.h"
-#include "trace/intersect_packet-inl.h"
+#include "trace/eight_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
+using namespace trace::HWY_NAMESPACE;
+
 using accel::bvh::Link;
 using accel::bvh::Node;
-using trace::HWY_NAMESPACE::PacketHit;
 
 struct BeamEntry {
     Link link;

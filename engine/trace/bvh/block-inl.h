@@ -1,5 +1,4 @@
-// One ray and a block of four triangles: geometry/intersect.h, lane by lane, the same operations in
-// the same order. Included once for each instruction set.
+// One ray and a block of four triangles. Included once for each instruction set.
 #if defined(PEREGRINE_TRACE_BVH_BLOCK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PEREGRINE_TRACE_BVH_BLOCK_INL_H
 #undef PEREGRINE_TRACE_BVH_BLOCK_INL_H
@@ -11,15 +10,16 @@
 
 #include "accel/bvh/tree.h"
 #include "geometry/intersect.h"
-#include "trace/bvh/lanes-inl.h"
+#include "trace/bvh/four_triangles-inl.h"
 #include "trace/bvh/push-inl.h"
+#include "trace/lanes-inl.h"
 
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using accel::bvh::Block;
+using namespace trace::HWY_NAMESPACE;
 
 // What of a ray the test needs, in all lanes.
 struct BlockRay {
@@ -58,33 +58,10 @@ struct BlockRay {
         ky = axes[1] * accel::bvh::kBlockWidth;
         kz = axes[2] * accel::bvh::kBlockWidth;
     }
-};
 
-struct BlockHits {
-    uint32_t lanes; // bits
-    uint32_t back_faces;
-    alignas(16) float t[4], u[4], v[4]; // of `lanes`
-};
-
-// Vertices relative to the ray.
-struct ShearedBlock {
-    V4 ax, ay, az, bx, by, bz, cx, cy, cz;
-
-    HWY_ATTR ShearedBlock(const BlockRay& ray, const Block& block) {
-        const auto shear = [&](uint32_t vertex, V4& x, V4& y, V4& z) HWY_ATTR {
-            const float* p = &block.vertex[vertex][0][0];
-            z = hn::Sub(hn::Load(k4, p + ray.kz), ray.oz);
-            x = hn::Sub(hn::Sub(hn::Load(k4, p + ray.kx), ray.ox), hn::Mul(ray.sx, z));
-            y = hn::Sub(hn::Sub(hn::Load(k4, p + ray.ky), ray.oy), hn::Mul(ray.sy, z));
-        };
-        shear(0, ax, ay, az);
-        shear(1, bx, by, bz);
-        shear(2, cx, cy, cz);
+    HWY_INLINE HWY_ATTR Sheared<V4> relative(const Block& block) const {
+        return relative_to(block, kx, ky, kz, ox, oy, oz, sx, sy);
     }
-
-    HWY_INLINE HWY_ATTR V4 u() const { return hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)); }
-    HWY_INLINE HWY_ATTR V4 v() const { return hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)); }
-    HWY_INLINE HWY_ATTR V4 w() const { return hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax)); }
 };
 
 // The edge functions in float. Rounding is monotone: one that is not 0 has the sign of the exact
@@ -93,12 +70,11 @@ struct EdgeSigns {
     V4 u, v, w;
     M4 outside, inside;
 
-    HWY_INLINE HWY_ATTR explicit EdgeSigns(const ShearedBlock& s) : u(s.u()), v(s.v()), w(s.w()) {
+    HWY_INLINE HWY_ATTR explicit EdgeSigns(const Sheared<V4>& s) : u(s.u()), v(s.v()), w(s.w()) {
         const V4 zero = hn::Zero(k4);
-        const V4 least = hn::Min(u, hn::Min(v, w));
-        const V4 most = hn::Max(u, hn::Max(v, w));
-        outside = hn::And(hn::Lt(least, zero), hn::Gt(most, zero));
-        inside = hn::Or(hn::Gt(least, zero), hn::Lt(most, zero));
+        outside = trace::HWY_NAMESPACE::outside(u, v, w);
+        inside = hn::Or(hn::Gt(hn::Min(u, hn::Min(v, w)), zero),
+                        hn::Lt(hn::Max(u, hn::Max(v, w)), zero));
     }
 
     HWY_INLINE HWY_ATTR uint32_t maybe() const { return ~bits_of(k4, outside) & 15u; }
@@ -118,7 +94,7 @@ struct EdgeSigns {
 struct RangeMargin {
     V4 margin, error;
 
-    HWY_INLINE HWY_ATTR RangeMargin(const BlockRay& ray, const ShearedBlock& s, const EdgeSigns& e,
+    HWY_INLINE HWY_ATTR RangeMargin(const BlockRay& ray, const Sheared<V4>& s, const EdgeSigns& e,
                                     float t_max) {
         const V4 det = hn::Add(hn::Add(e.u, e.v), e.w);
         const V4 depth = hn::MulAdd(e.w, s.cz, hn::MulAdd(e.v, s.bz, hn::Mul(e.u, s.az)));
@@ -144,61 +120,21 @@ struct RangeMargin {
     }
 };
 
-// Steps 4 to 6 for as many triangles as a vector has doubles, from lane `first` on.
-HWY_INLINE HWY_ATTR uint32_t decide(const BlockRay& ray, const ShearedBlock& s, size_t first,
-                                    float t_max, BlockHits& hits) {
-    const auto part = [first](V4 x) HWY_ATTR { return promote_part(x, first); };
-    const Vd ax = part(s.ax), ay = part(s.ay), bx = part(s.bx), by = part(s.by), cx = part(s.cx),
-             cy = part(s.cy);
-    const Vd u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
-    const Vd v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
-    const Vd w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-    const Vd zero = hn::Zero(kD);
-    const auto outside =
-        hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero), hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
-    const Vd det = hn::Add(hn::Add(u, v), w);
-    const auto missed = hn::Or(outside, hn::Eq(det, zero));
-    const Vd depth =
-        hn::Add(hn::Add(hn::Mul(u, part(s.az)), hn::Mul(v, part(s.bz))), hn::Mul(w, part(s.cz)));
-    const Vd r = hn::Div(hn::Set(kD, 1.0), hn::Mul(det, ray.dz));
-    const auto t = hn::DemoteTo(kFd, hn::Mul(depth, r));
-    const auto in_range =
-        hn::And(hn::Ge(t, hn::Set(kFd, ray.t_min)), hn::Le(t, hn::Set(kFd, t_max)));
-    const uint32_t lanes = bits_of(kFd, in_range) & ~bits_of(kD, missed);
-    if (lanes == 0) return 0;
-    hn::StoreU(t, kFd, hits.t + first);
-    hn::StoreU(hn::DemoteTo(kFd, hn::Mul(hn::Mul(v, ray.dz), r)), kFd, hits.u + first);
-    hn::StoreU(hn::DemoteTo(kFd, hn::Mul(hn::Mul(w, ray.dz), r)), kFd, hits.v + first);
-    // det is not 0 in these lanes; its sign differs from dz's on the back.
-    const uint32_t backs =
-        bits_of(kD, hn::Lt(hn::CopySign(hn::Set(kD, 1.0), hn::Xor(det, ray.dz)), zero));
-    hits.back_faces |= backs << first;
-    return lanes << first;
-}
-
-HWY_INLINE HWY_ATTR bool decide(const BlockRay& ray, const ShearedBlock& s, float t_max,
-                                BlockHits& hits) {
-    hits.lanes = hits.back_faces = 0;
-    for (size_t first = 0; first < 4; first += kLanesD)
-        hits.lanes |= decide(ray, s, first, t_max, hits);
-    return hits.lanes != 0;
-}
-
 // The triangles of the block that the ray hits up to t_max; false if there are none.
 HWY_INLINE HWY_ATTR bool intersect(const BlockRay& ray, const Block& block, float t_max,
                                    BlockHits& hits) {
-    const ShearedBlock sheared(ray, block);
+    const Sheared<V4> sheared = ray.relative(block);
     const EdgeSigns edges(sheared);
     uint32_t maybe = edges.maybe();
     if (maybe == 0) return false;
     maybe &= RangeMargin(ray, sheared, edges, t_max).maybe();
-    return maybe != 0 && decide(ray, sheared, t_max, hits);
+    return maybe != 0 && decide_block<true>(sheared, ray.dz, ray.t_min, t_max, hits);
 }
 
 // Whether the ray hits a triangle of the block. Doubles decide what float is too coarse for: rays
 // through edges, and ends of rays on triangles.
 HWY_INLINE HWY_ATTR bool intersects(const BlockRay& ray, const Block& block) {
-    const ShearedBlock sheared(ray, block);
+    const Sheared<V4> sheared = ray.relative(block);
     const EdgeSigns edges(sheared);
     uint32_t maybe = edges.maybe();
     if (maybe == 0) return false;
@@ -207,7 +143,7 @@ HWY_INLINE HWY_ATTR bool intersects(const BlockRay& ray, const Block& block) {
     maybe &= range.maybe();
     if (maybe == 0) return false;
     BlockHits hits;
-    return decide(ray, sheared, ray.t_max, hits);
+    return decide_block<false>(sheared, ray.dz, ray.t_min, ray.t_max, hits);
 }
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE

@@ -10,10 +10,12 @@
 
 #include "accel/bvh/tree.h"
 #include "trace/bvh/beam-inl.h"
-#include "trace/bvh/lanes-inl.h"
+#include "trace/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+using namespace trace::HWY_NAMESPACE;
 
 using accel::bvh::Block;
 

@@ -9,17 +9,16 @@
 #include <hwy/highway.h>
 
 #include "geometry/intersect.h"
-#include "trace/bvh/lanes-inl.h"
+#include "trace/eight_rays-inl.h"
 #include "trace/kernels.h"
+#include "trace/lanes-inl.h"
 
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using D8u = hn::RebindToUnsigned<D8>;
-constexpr D8u k8u;
-constexpr float kLargestFloat = std::numeric_limits<float>::max();
+using namespace trace::HWY_NAMESPACE;
 
 // Rays count from `first` of the streams. While a ray has no hit, its t is where it ends.
 class HitBoard {
@@ -28,7 +27,7 @@ public:
         : hits_{out.t + first,         out.u + first,
                 out.v + first,         out.triangle + first,
                 out.back_face + first, out.steps ? out.steps + first : nullptr},
-          t_min_(rays.t_min + first), count_(count) {
+          count_(count) {
         for (uint32_t i = 0; i < count; i += kLanes8) {
             const V8 end =
                 hn::Min(hn::LoadU(k8, rays.t_max + first + i), hn::Set(k8, kLargestFloat));
@@ -39,33 +38,29 @@ public:
 
     float t(uint32_t at) const { return hits_.t[at]; }
     HWY_INLINE HWY_ATTR V8 best(uint32_t at) const { return hn::LoadU(k8, hits_.t + at); }
-    HWY_INLINE HWY_ATTR V8 begin(uint32_t at) const { return hn::LoadU(k8, t_min_ + at); }
 
-    // Of the eight rays from `at` on those of `lanes` that a hit at t comes first for.
-    HWY_INLINE HWY_ATTR M8 find_wins(uint32_t at, M8 lanes, V8 t, uint32_t index) const {
-        const V8 best_t = best(at);
-        const auto before = hn::LoadU(k8u, hits_.triangle + at);
-        const M8 ties =
-            hn::And(hn::Eq(t, best_t), hn::RebindMask(k8, hn::Lt(hn::Set(k8u, index), before)));
-        return hn::And(hn::And(lanes, hn::Ge(t, begin(at))), hn::Or(hn::Lt(t, best_t), ties));
+    // Of the eight rays from `at` on those that the hits come first for.
+    HWY_INLINE HWY_ATTR M8 find_wins(uint32_t at, const EightHits& hits, uint32_t index) const {
+        const V8u before = hn::LoadU(k8u, hits_.triangle + at);
+        return hn::And(hits.lanes,
+                       trace::HWY_NAMESPACE::comes_first(hits.t, index, best(at), before));
     }
 
-    HWY_INLINE HWY_ATTR void record(uint32_t at, M8 wins, V8 t, V8 u, V8 v, uint32_t index,
-                                    hn::Vec<D8u> back_face) {
-        const auto triangle = hn::Set(k8u, index);
+    HWY_INLINE HWY_ATTR void record(uint32_t at, M8 wins, const EightHits& hits, uint32_t index) {
+        const V8u triangle = hn::Set(k8u, index);
         if (hn::AllTrue(k8, wins)) {
-            hn::StoreU(t, k8, hits_.t + at);
-            hn::StoreU(u, k8, hits_.u + at);
-            hn::StoreU(v, k8, hits_.v + at);
+            hn::StoreU(hits.t, k8, hits_.t + at);
+            hn::StoreU(hits.u, k8, hits_.u + at);
+            hn::StoreU(hits.v, k8, hits_.v + at);
             hn::StoreU(triangle, k8u, hits_.triangle + at);
-            hn::StoreU(back_face, k8u, hits_.back_face + at);
+            hn::StoreU(hits.back, k8u, hits_.back_face + at);
             return;
         }
-        replace(wins, t, hits_.t + at);
-        replace(wins, u, hits_.u + at);
-        replace(wins, v, hits_.v + at);
+        replace(wins, hits.t, hits_.t + at);
+        replace(wins, hits.u, hits_.u + at);
+        replace(wins, hits.v, hits_.v + at);
         replace(wins, triangle, hits_.triangle + at);
-        replace(wins, back_face, hits_.back_face + at);
+        replace(wins, hits.back, hits_.back_face + at);
     }
 
     bool comes_first(uint32_t at, float t, uint32_t index) const {
@@ -96,14 +91,13 @@ public:
     HWY_INLINE HWY_ATTR static void replace(M8 lanes, V8 value, float* values) {
         hn::StoreU(hn::IfThenElse(lanes, value, hn::LoadU(k8, values)), k8, values);
     }
-    HWY_INLINE HWY_ATTR static void replace(M8 lanes, hn::Vec<D8u> value, uint32_t* values) {
+    HWY_INLINE HWY_ATTR static void replace(M8 lanes, V8u value, uint32_t* values) {
         hn::StoreU(hn::IfThenElse(hn::RebindMask(k8u, lanes), value, hn::LoadU(k8u, values)), k8u,
                    values);
     }
 
 private:
     HitStream hits_;
-    const float* t_min_;
     uint32_t count_;
 };
 

@@ -15,24 +15,26 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
+using namespace trace::HWY_NAMESPACE;
+
 // A triangle relative to eight rays of a bundle whose main axis is the pencil's: step 3 of
 // geometry/intersect.h.
-HWY_INLINE HWY_ATTR trace::HWY_NAMESPACE::ShearedTriangle
-shear(const Pencil& pencil, const RayStream& rays, uint32_t at, const Block& block, uint32_t lane) {
+HWY_INLINE HWY_ATTR Sheared<V8> relative_to(const Pencil& pencil, const RayStream& rays,
+                                            uint32_t at, const Block& block, uint32_t lane) {
     const uint32_t ray = pencil.first + at;
     const V8 ox = hn::LoadU(k8, rays.origin[pencil.kx] + ray);
     const V8 oy = hn::LoadU(k8, rays.origin[pencil.ky] + ray);
     const V8 oz = hn::LoadU(k8, rays.origin[pencil.kz] + ray);
     const V8 sx = hn::Load(k8, pencil.sx + at), sy = hn::Load(k8, pencil.sy + at);
-    trace::HWY_NAMESPACE::ShearedTriangle s;
-    const auto vertex = [&](int i, V8& x, V8& y, V8& z) HWY_ATTR {
+    const auto corner = [&](int i, V8& x, V8& y, V8& z) HWY_ATTR {
         z = hn::Sub(hn::Set(k8, block.vertex[i][pencil.kz][lane]), oz);
-        x = hn::Sub(hn::Sub(hn::Set(k8, block.vertex[i][pencil.kx][lane]), ox), hn::Mul(sx, z));
-        y = hn::Sub(hn::Sub(hn::Set(k8, block.vertex[i][pencil.ky][lane]), oy), hn::Mul(sy, z));
+        x = shear(hn::Sub(hn::Set(k8, block.vertex[i][pencil.kx][lane]), ox), sx, z);
+        y = shear(hn::Sub(hn::Set(k8, block.vertex[i][pencil.ky][lane]), oy), sy, z);
     };
-    vertex(0, s.ax, s.ay, s.az);
-    vertex(1, s.bx, s.by, s.bz);
-    vertex(2, s.cx, s.cy, s.cz);
+    Sheared<V8> s;
+    corner(0, s.ax, s.ay, s.az);
+    corner(1, s.bx, s.by, s.bz);
+    corner(2, s.cx, s.cy, s.cz);
     return s;
 }
 
@@ -47,13 +49,13 @@ HWY_INLINE HWY_ATTR bool test_bundle(const Pencil& pencil, const RayStream& rays
         const uint32_t at = bundle * kBundleRays + i;
         const M8 open = hn::Ge(hn::Load(k8, pencil.limit + at), hn::Zero(k8));
         const M8 native = mask_of(~uint32_t(pencil.foreign[bundle]) >> i & 255u);
-        const auto s = shear(pencil, rays, at, block, lane);
-        const M8 maybe = hn::And(s.maybe(), hn::And(open, native));
+        const Sheared<V8> s = relative_to(pencil, rays, at, block, lane);
+        const M8 maybe = hn::AndNot(outside(s), hn::And(open, native));
         if (hn::AllFalse(k8, maybe)) continue;
         const V8 dz = hn::LoadU(k8, rays.direction[pencil.kz] + pencil.first + at);
         const V8 begin = hn::LoadU(k8, rays.t_min + pencil.first + at);
-        trace::HWY_NAMESPACE::PacketHit hit;
-        if (trace::HWY_NAMESPACE::decide(s, dz, maybe, begin, end(at), hit)) taken |= take(at, hit);
+        const EightHits hits = decide(s, dz, maybe, begin, end(at));
+        if (!hn::AllFalse(k8, hits.lanes)) taken |= take(at, hits);
     }
     for (uint32_t left = pencil.foreign[bundle]; left; left &= left - 1) {
         const uint32_t at = bundle * kBundleRays + uint32_t(__builtin_ctz(left));
@@ -77,12 +79,11 @@ public:
 
     HWY_INLINE HWY_ATTR void test(const Block& block, uint32_t lane, uint32_t bundle) {
         const uint32_t index = block.triangle[lane];
-        const auto take = [&](uint32_t at, const trace::HWY_NAMESPACE::PacketHit& hit) HWY_ATTR {
-            M8 wins = board_.find_wins(at, hit.lanes, hit.t, index);
-            if (Filtered)
-                wins = trace::HWY_NAMESPACE::accepted(wins, filter_, target_.infos[index], hit);
+        const auto take = [&](uint32_t at, const EightHits& hit) HWY_ATTR {
+            M8 wins = board_.find_wins(at, hit, index);
+            if (Filtered) wins = accepted(wins, filter_, target_.infos[index], hit);
             if (hn::AllFalse(k8, wins)) return false;
-            board_.record(at, wins, hit.t, hit.u, hit.v, index, hn::BitCast(k8u, hit.back));
+            board_.record(at, wins, hit, index);
             const uint32_t ray = pencil_.first + at;
             const V8 sign = hn::Set(k8, pencil_.sign);
             const V8 foot = hn::Mul(hn::Sub(hn::LoadU(k8, rays_.origin[pencil_.kz] + ray),
@@ -132,9 +133,9 @@ public:
 
     HWY_INLINE HWY_ATTR void test(const Block& block, uint32_t lane, uint32_t bundle) {
         const auto& info = target_.infos[block.triangle[lane]];
-        const auto take = [&](uint32_t at, const trace::HWY_NAMESPACE::PacketHit& hit) HWY_ATTR {
+        const auto take = [&](uint32_t at, const EightHits& hit) HWY_ATTR {
             M8 lanes = hit.lanes;
-            if (Filtered) lanes = trace::HWY_NAMESPACE::accepted(lanes, filter_, info, hit);
+            if (Filtered) lanes = accepted(lanes, filter_, info, hit);
             if (hn::AllFalse(k8, lanes)) return false;
             HitBoard::replace(lanes, hn::Set(k8, -1.0f), pencil_.limit + at);
             blocked_[bundle] |= uint8_t(bits_of(k8, lanes) << at % kBundleRays);

@@ -10,10 +10,12 @@
 
 #include "trace/bvh/pencil-inl.h"
 #include "trace/bvh/plain.h"
-#include "trace/intersect_packet-inl.h"
+#include "trace/eight_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+using namespace trace::HWY_NAMESPACE;
 
 // Boxes in the pencil's coordinates, widened; lanes are children or triangles.
 template <class V>

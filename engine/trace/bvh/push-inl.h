@@ -13,13 +13,15 @@
 #include "accel/bvh/tree.h"
 #include "math/box.h"
 #include "math/ray.h"
-#include "trace/bvh/lanes-inl.h"
+#include "trace/lanes-inl.h"
 
 #include <algorithm>
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+using namespace trace::HWY_NAMESPACE;
 
 using accel::bvh::Link;
 using accel::bvh::Node;

@@ -10,13 +10,15 @@
 #include <hwy/highway.h>
 
 #include "accel/bvh/tree.h"
-#include "geometry/intersect.h"
 #include "trace/bvh/beam-inl.h"
-#include "trace/bvh/decide-inl.h"
-#include "trace/bvh/plain.h"
+#include "trace/canonical-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+using namespace trace::HWY_NAMESPACE;
+using accel::bvh::Block;
+using accel::bvh::Link;
 
 // Rays of a group whose slopes lie in a window (which counts from p = q = 0) and whose limit is
 // beyond z.
@@ -53,17 +55,10 @@ struct NearBlock {
     // Triangles that the float edge functions do not rule out.
     HWY_INLINE HWY_ATTR uint32_t maybe(float ray_sx, float ray_sy) const {
         const V4 sx = hn::Set(k4, ray_sx), sy = hn::Set(k4, ray_sy);
-        const auto shear = [](V4 a, V4 s, V4 d) HWY_ATTR { return hn::Sub(a, hn::Mul(s, d)); };
-        const V4 ax = shear(x[0], sx, z[0]), ay = shear(y[0], sy, z[0]);
-        const V4 bx = shear(x[1], sx, z[1]), by = shear(y[1], sy, z[1]);
-        const V4 cx = shear(x[2], sx, z[2]), cy = shear(y[2], sy, z[2]);
-        const V4 u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
-        const V4 v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
-        const V4 w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-        const V4 zero = hn::Zero(k4);
-        const auto outside = hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero),
-                                     hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
-        return ~bits_of(k4, outside) & 15u;
+        const Sheared<V4> s = {shear(x[0], sx, z[0]), shear(y[0], sy, z[0]), z[0],
+                               shear(x[1], sx, z[1]), shear(y[1], sy, z[1]), z[1],
+                               shear(x[2], sx, z[2]), shear(y[2], sy, z[2]), z[2]};
+        return ~bits_of(k4, outside(s)) & 15u;
     }
 };
 

@@ -21,6 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
+using namespace trace::HWY_NAMESPACE;
+
 inline constexpr uint32_t kWaveRays = 256;
 inline constexpr uint32_t kWaveStream = 1024; // rays set up at a time
 
@@ -79,12 +81,9 @@ private:
     HWY_ATTR void start(const RayStream& rays, uint32_t first, uint32_t count,
                         Irregular&& irregular) {
         for (uint32_t begin = 0; begin < count; begin += 8) {
-            WaveRay* places[8];
-            for (uint32_t i = 0; i < 8; ++i) places[i] = ray_ + begin + i;
-            const Launched launched = launch(target_.bounds, rays, first + begin, 0, places);
+            const Launched launched = launch(target_.bounds, rays, first + begin, ray_ + begin);
             for (uint32_t i = 0; i < 8; ++i) {
-                const uint32_t octant =
-                    (uint32_t(ray_[begin + i].order) - uint32_t(offsetof(Node, order))) / 4;
+                const uint32_t octant = ray_[begin + i].octant;
                 octant_[octant][octant_count_[octant]] = Id(begin + i);
                 octant_count_[octant] += launched.alive >> i & 1;
             }
@@ -207,6 +206,12 @@ private:
         test_count_ = tests;
     }
 
+    template <bool Details>
+    HWY_INLINE HWY_ATTR void decide(const WaveRay& ray, uint32_t block, BlockHits& hits) const {
+        decide_block<Details>(relative_to(ray, target_.bvh_blocks[block]),
+                              hn::Set(kD, double(ray.dz)), ray.t_min, ray.t_max, hits);
+    }
+
     template <class OnHit>
     HWY_INLINE HWY_ATTR void settle(OnHit&& on_hit) {
         if constexpr (Any && !Filtered)
@@ -220,8 +225,8 @@ private:
     HWY_INLINE HWY_ATTR void settle_any(OnHit&& on_hit) {
         for (uint32_t i = 0; i < test_count_; ++i) {
             WaveRay& ray = ray_[tests_[i].ray];
-            WaveHits hits;
-            WaveBlock(ray, target_.bvh_blocks[tests_[i].block]).template decide<false>(ray, hits);
+            BlockHits hits;
+            decide<false>(ray, tests_[i].block, hits);
             on_hit(ray.index, hits.lanes != 0);
             ray.t_limit = hits.lanes ? kNever : ray.t_limit;
         }
@@ -233,8 +238,8 @@ private:
         for (uint32_t i = 0; i < test_count_; ++i) {
             const Test test = tests_[i];
             const WaveRay& ray = ray_[test.ray];
-            WaveHits& hits = found_[found];
-            WaveBlock(ray, target_.bvh_blocks[test.block]).template decide<true>(ray, hits);
+            BlockHits& hits = found_[found];
+            decide<true>(ray, test.block, hits);
             tests_[found] = test;
             found += hits.lanes != 0;
         }
@@ -243,7 +248,7 @@ private:
     }
 
     template <class OnHit>
-    HWY_INLINE HWY_ATTR void accept(WaveRay& ray, const Block& block, const WaveHits& hits,
+    HWY_INLINE HWY_ATTR void accept(WaveRay& ray, const Block& block, const BlockHits& hits,
                                     OnHit&& on_hit) {
         for (uint32_t lanes = hits.lanes; lanes; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(__builtin_ctz(lanes));
@@ -283,7 +288,7 @@ private:
     Entry entries_[kEntries];
     uint32_t test_count_ = 0;
     Test tests_[kTests + 2];
-    alignas(64) WaveHits found_[kTests + 1];
+    alignas(64) BlockHits found_[kTests + 1];
     WaveRay ray_[kWaveStream];
     Id lists_[kEntries * kListSize];
 };

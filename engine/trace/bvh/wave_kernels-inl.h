@@ -15,6 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
+using namespace trace::HWY_NAMESPACE;
+
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
 template <bool Filtered>
 HWY_ATTR void closest_wave(const Target& target, const RayStream& rays, const Filter& filter,

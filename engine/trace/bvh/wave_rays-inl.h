@@ -10,8 +10,8 @@
 #include <hwy/highway.h>
 
 #include "accel/bvh/tree.h"
-#include "trace/bvh/lanes-inl.h"
 #include "trace/kernels.h"
+#include "trace/lanes-inl.h"
 #include "trace/slabs.h"
 
 #include <cstddef>
@@ -21,24 +21,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-// The first line is NodeRay of single-inl.h, the second one BlockRay of block-inl.h. Offsets are in
-// bytes.
+using namespace trace::HWY_NAMESPACE;
+
+// The first line is what nodes ask for, the second what blocks do.
 struct alignas(64) WaveRay {
-    float inverse[3], enter[3], leave[3];
+    float inverse[3], enter[3], leave[3]; // as in NodeRay
     float t_near, t_limit;
-    uint8_t enter_plane[3], order; // in a node
-    uint8_t leave_plane[4];
-    uint32_t top; // entries on its stack
+    uint32_t octant;
     uint32_t steps;
     uint32_t index; // in the stream
+    uint32_t unused[2];
 
-    float ox, oy, oz, sx, sy, dz, t_min, t_max;
-    uint8_t kx, ky, kz, unused; // of axes in a vertex of a block
-    uint32_t best;              // triangle
+    float ox, oy, oz, sx, sy, dz, t_min, t_max; // as in BlockRay
+    uint8_t kx, ky, kz, none;                   // offsets of axes in a vertex of a block, in floats
+    uint32_t best;                              // triangle
     uint32_t padding[6];
 };
 static_assert(sizeof(WaveRay) == 128);
-static_assert(offsetof(WaveRay, leave) == 24 && offsetof(WaveRay, enter_plane) == 44);
+static_assert(offsetof(WaveRay, leave) == 24 && offsetof(WaveRay, octant) == 44);
 static_assert(offsetof(WaveRay, ox) == 64 && offsetof(WaveRay, kx) == 96);
 
 // Rows become columns.
@@ -65,13 +65,11 @@ struct Launched {
     uint32_t irregular; // bits: float lacks the range for these
 };
 
-// Rays `first` to first + 7 of the stream, as far as there are so many, into the `places`. All of
-// them begin with `top` entries on their stacks. The arithmetic is that of trace/slabs.h and
-// geometry::shear, lane by lane.
+// Rays `first` to first + 7 of the stream, as far as there are so many, into eight `places`. The
+// arithmetic is that of trace/slabs.h and geometry::shear, lane by lane.
 inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, uint32_t first,
-                                uint32_t top, WaveRay* const* places) {
+                                WaveRay* places) {
     const hn::RebindToUnsigned<D8> u8;
-    using M = M8;
     const uint32_t there = rays.count - first >= 8 ? 255u : (1u << (rays.count - first)) - 1;
     V8 o[3], d[3], size[3];
     V8 distance = hn::Zero(k8);
@@ -84,7 +82,7 @@ inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, 
         distance = hn::Max(hn::Max(lower, upper), distance);
     }
     const V8 largest = hn::Max(hn::Max(size[0], size[1]), size[2]);
-    const M fits = hn::And(
+    const M8 fits = hn::And(
         hn::And(hn::Ge(largest, hn::Set(k8, 0x1p-32f)), hn::Le(largest, hn::Set(k8, 0x1p32f))),
         hn::And(hn::Ge(distance, hn::Set(k8, 0x1p-40f)), hn::Le(distance, hn::Set(k8, 0x1p60f))));
     const V8 one = hn::Set(k8, 1.0f);
@@ -95,7 +93,6 @@ inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, 
     const V8 t_min = t_near;
     const V8 t_max = hn::Min(t_far, hn::Set(k8, std::numeric_limits<float>::max()));
     V8 inverse[3], enter[3], leave[3];
-    auto enter_planes = hn::Set(u8, 0x00402000u), leave_planes = hn::Set(u8, 0x00A08060u);
     auto octant = hn::Zero(u8);
     for (int k = 0; k < 3; ++k) {
         const V8 kept =
@@ -111,18 +108,14 @@ inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, 
         enter[k] = hn::Sub(hn::Neg(offset), margin);
         leave[k] = hn::Sub(margin, offset);
         const auto negative = hn::RebindMask(u8, hn::Lt(inverse[k], hn::Zero(k8)));
-        const auto swap = hn::IfThenElseZero(negative, hn::Set(u8, 96u << 8 * k));
-        enter_planes = hn::Add(enter_planes, swap);
-        leave_planes = hn::Sub(leave_planes, swap);
-        octant = hn::Or(octant, hn::IfThenElseZero(negative, hn::Set(u8, 4u << k)));
+        octant = hn::Or(octant, hn::IfThenElseZero(negative, hn::Set(u8, 1u << k)));
     }
-    const auto order = hn::Add(octant, hn::Set(u8, uint32_t(offsetof(accel::bvh::Node, order))));
-    const M alive = hn::And(fits, hn::Le(t_near, t_far));
+    const M8 alive = hn::And(fits, hn::Le(t_near, t_far));
     const auto put = [&](size_t offset) HWY_ATTR {
         transpose(row, column);
         for (int i = 0; i < 8; ++i)
             hn::Store(column[i], k8,
-                      reinterpret_cast<float*>(reinterpret_cast<char*>(places[i]) + offset));
+                      reinterpret_cast<float*>(reinterpret_cast<char*>(places + i) + offset));
     };
     const auto as_float = [](auto x) HWY_ATTR { return hn::BitCast(k8, x); };
     for (int k = 0; k < 3; ++k) {
@@ -135,15 +128,14 @@ inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, 
     row[0] = leave[2];
     row[1] = t_near;
     row[2] = t_far;
-    row[3] = as_float(hn::Or(enter_planes, hn::ShiftLeft<24>(order)));
-    row[4] = as_float(leave_planes);
-    row[5] = as_float(hn::Set(u8, top));
-    row[6] = hn::Zero(k8);
-    row[7] = as_float(hn::Iota(u8, first));
+    row[3] = as_float(octant);
+    row[4] = hn::Zero(k8);
+    row[5] = as_float(hn::Iota(u8, first));
+    row[6] = row[7] = hn::Zero(k8);
     put(32);
     // The longest axis; of equal ones the smaller.
-    const M z_is_x = hn::And(hn::Ge(size[0], size[1]), hn::Ge(size[0], size[2]));
-    const M z_is_y = hn::And(hn::Lt(size[0], size[1]), hn::Ge(size[1], size[2]));
+    const M8 z_is_x = hn::And(hn::Ge(size[0], size[1]), hn::Ge(size[0], size[2]));
+    const M8 z_is_y = hn::And(hn::Lt(size[0], size[1]), hn::Ge(size[1], size[2]));
     const auto pick = [&](const V8(&v)[3], int next) HWY_ATTR {
         return hn::IfThenElse(z_is_x, v[next],
                               hn::IfThenElse(z_is_y, v[(next + 1) % 3], v[(next + 2) % 3]));
@@ -159,14 +151,14 @@ inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, 
     row[7] = t_max;
     put(64);
     const auto axes =
-        hn::IfThenElse(hn::RebindMask(u8, z_is_x), hn::Set(u8, 0x00002010u),
-                       hn::IfThenElse(hn::RebindMask(u8, z_is_y), hn::Set(u8, 0x00100020u),
-                                      hn::Set(u8, 0x00201000u)));
+        hn::IfThenElse(hn::RebindMask(u8, z_is_x), hn::Set(u8, 0x00000804u),
+                       hn::IfThenElse(hn::RebindMask(u8, z_is_y), hn::Set(u8, 0x00040008u),
+                                      hn::Set(u8, 0x00080400u)));
     alignas(32) uint32_t packed_axes[8];
     hn::Store(axes, u8, packed_axes);
     for (int i = 0; i < 8; ++i) {
-        __builtin_memcpy(&places[i]->kx, &packed_axes[i], 4);
-        places[i]->best = geometry::kNoTriangle;
+        __builtin_memcpy(&places[i].kx, &packed_axes[i], 4);
+        places[i].best = geometry::kNoTriangle;
     }
     return {bits_of(k8, alive) & there, ~bits_of(k8, fits) & there};
 }

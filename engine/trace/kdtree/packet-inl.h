@@ -9,7 +9,7 @@
 #include <hwy/highway.h>
 
 #include "accel/kdtree/tree.h"
-#include "trace/intersect_packet-inl.h"
+#include "trace/eight_rays-inl.h"
 #include "trace/kdtree/single.h"
 #include "trace/kernels.h"
 #include "trace/slabs.h"
@@ -21,111 +21,148 @@ using namespace trace::HWY_NAMESPACE;
 
 // The rays of a packet and what slabs() knows of them, in vectors.
 struct Packet {
-    Vf origin[3];
-    Vf direction[3];
-    Vf inverse[3];
-    Vf margin[3];
-    Vf t_min, t_max;
-    Vf t_near, t_far;
-    Mf present;              // lanes that hold a ray
-    Mf fits;                 // ... whose numbers fit float: fits_float()
+    V8 origin[3];
+    V8 direction[3];
+    V8 inverse[3];
+    V8 margin[3];
+    V8 t_min, t_max;
+    V8 t_near, t_far;
+    M8 present;              // lanes that hold a ray
+    M8 fits;                 // ... whose numbers fit float: fits_float()
     bool mostly_leftward[3]; // most directions are negative, ...
     bool mixed[3];           // ... but not all, or the other way round
 
     HWY_ATTR Packet(const Target& target, const RayStream& rays, uint32_t first) {
         for (int k = 0; k < 3; ++k) {
-            origin[k] = hn::Load(kF, rays.origin[k] + first);
-            direction[k] = hn::Load(kF, rays.direction[k] + first);
+            origin[k] = hn::Load(k8, rays.origin[k] + first);
+            direction[k] = hn::Load(k8, rays.direction[k] + first);
         }
-        t_min = hn::Load(kF, rays.t_min + first);
-        t_max = hn::Load(kF, rays.t_max + first);
-        present = hn::FirstN(kF, rays.count - first);
+        t_min = hn::Load(k8, rays.t_min + first);
+        t_max = hn::Load(k8, rays.t_max + first);
+        present = hn::FirstN(k8, rays.count - first);
         find_slabs(target.bounds);
     }
 
     HWY_ATTR void find_slabs(const math::Box& bounds) {
-        Vf reach = hn::Zero(kF);
-        Vf largest = hn::Zero(kF);
+        V8 reach = hn::Zero(k8);
+        V8 largest = hn::Zero(k8);
         for (int k = 0; k < 3; ++k) {
-            const Vf lower = hn::Abs(hn::Sub(hn::Set(kF, bounds.lower[k]), origin[k]));
-            const Vf upper = hn::Abs(hn::Sub(hn::Set(kF, bounds.upper[k]), origin[k]));
+            const V8 lower = hn::Abs(hn::Sub(hn::Set(k8, bounds.lower[k]), origin[k]));
+            const V8 upper = hn::Abs(hn::Sub(hn::Set(k8, bounds.upper[k]), origin[k]));
             reach = hn::Max(reach, hn::Max(lower, upper));
             largest = hn::Max(largest, hn::Abs(direction[k]));
         }
         fits = hn::And(
-            hn::And(hn::Ge(largest, hn::Set(kF, 0x1p-32f)), hn::Le(largest, hn::Set(kF, 0x1p32f))),
-            hn::And(hn::Ge(reach, hn::Set(kF, 0x1p-40f)), hn::Le(reach, hn::Set(kF, 0x1p60f))));
-        const Vf error = hn::Add(hn::Mul(hn::Set(kF, 0x1p-20f), reach), hn::Set(kF, 0x1p-146f));
-        const Vf smallest = hn::Mul(hn::Set(kF, 0x1p-26f), largest);
+            hn::And(hn::Ge(largest, hn::Set(k8, 0x1p-32f)), hn::Le(largest, hn::Set(k8, 0x1p32f))),
+            hn::And(hn::Ge(reach, hn::Set(k8, 0x1p-40f)), hn::Le(reach, hn::Set(k8, 0x1p60f))));
+        const V8 error = hn::Add(hn::Mul(hn::Set(k8, 0x1p-20f), reach), hn::Set(k8, 0x1p-146f));
+        const V8 smallest = hn::Mul(hn::Set(k8, 0x1p-26f), largest);
         t_near = t_min;
         t_far = t_max;
         for (int k = 0; k < 3; ++k) {
-            const Vf d = direction[k];
-            const Vf clamped =
+            const V8 d = direction[k];
+            const V8 clamped =
                 hn::IfThenElse(hn::Lt(hn::Abs(d), smallest), hn::CopySign(smallest, d), d);
-            inverse[k] = hn::Div(hn::Set(kF, 1.0f), clamped);
+            inverse[k] = hn::Div(hn::Set(k8, 1.0f), clamped);
             margin[k] = hn::Mul(error, hn::Abs(inverse[k]));
-            const Mf leftward = hn::And(present, hn::Lt(inverse[k], hn::Zero(kF)));
-            const size_t count = hn::CountTrue(kF, leftward);
-            const size_t all = hn::CountTrue(kF, present);
+            const M8 leftward = hn::And(present, hn::Lt(inverse[k], hn::Zero(k8)));
+            const size_t count = hn::CountTrue(k8, leftward);
+            const size_t all = hn::CountTrue(k8, present);
             mostly_leftward[k] = 2 * count > all;
             mixed[k] = count != 0 && count != all;
-            const Vf lower = hn::Mul(hn::Sub(hn::Set(kF, bounds.lower[k]), origin[k]), inverse[k]);
-            const Vf upper = hn::Mul(hn::Sub(hn::Set(kF, bounds.upper[k]), origin[k]), inverse[k]);
+            const V8 lower = hn::Mul(hn::Sub(hn::Set(k8, bounds.lower[k]), origin[k]), inverse[k]);
+            const V8 upper = hn::Mul(hn::Sub(hn::Set(k8, bounds.upper[k]), origin[k]), inverse[k]);
             t_near = hn::Max(t_near, hn::Sub(hn::Min(lower, upper), margin[k]));
             t_far = hn::Min(t_far, hn::Add(hn::Max(lower, upper), margin[k]));
         }
     }
 
     // The axis of the largest |direction|, by the rule of geometry::shear.
-    HWY_ATTR Mf dominant(int kz) const {
-        const Vf x = hn::Abs(direction[0]), y = hn::Abs(direction[1]), z = hn::Abs(direction[2]);
+    HWY_ATTR M8 dominant(int kz) const {
+        const V8 x = hn::Abs(direction[0]), y = hn::Abs(direction[1]), z = hn::Abs(direction[2]);
         if (kz == 0) return hn::And(hn::Ge(x, y), hn::Ge(x, z));
         if (kz == 1) return hn::And(hn::Gt(y, x), hn::Ge(y, z));
         return hn::And(hn::Gt(z, x), hn::Gt(z, y));
     }
 };
 
+// The parts of the test that depend on the rays alone; all lanes share the main axis.
+struct ShearedPacket {
+    int kx, ky, kz;
+    V8 ox, oy, oz;
+    V8 sx, sy, dz;
+
+    HWY_ATTR ShearedPacket(const V8 (&origin)[3], const V8 (&direction)[3], int axis) {
+        kz = axis;
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kx == 2 ? 0 : kx + 1;
+        ox = origin[kx];
+        oy = origin[ky];
+        oz = origin[kz];
+        dz = direction[kz];
+        sx = hn::Div(direction[kx], dz);
+        sy = hn::Div(direction[ky], dz);
+    }
+};
+
+// The lanes of `active` that the triangle is hit by within [t_min, t_max]; false if there are none.
+HWY_INLINE HWY_ATTR bool intersect(const ShearedPacket& ray, const geometry::Triangle& triangle,
+                                   M8 active, V8 t_min, V8 t_max, EightHits& hits) {
+    const auto corner = [&](const geometry::Vec3& p, V8& x, V8& y, V8& z) HWY_ATTR {
+        z = hn::Sub(hn::Set(k8, p[ray.kz]), ray.oz);
+        x = shear(hn::Sub(hn::Set(k8, p[ray.kx]), ray.ox), ray.sx, z);
+        y = shear(hn::Sub(hn::Set(k8, p[ray.ky]), ray.oy), ray.sy, z);
+    };
+    Sheared<V8> s;
+    corner(triangle.v0, s.ax, s.ay, s.az);
+    corner(triangle.v1, s.bx, s.by, s.bz);
+    corner(triangle.v2, s.cx, s.cy, s.cz);
+    const M8 maybe = hn::AndNot(outside(s), active);
+    if (hn::AllFalse(k8, maybe)) return false;
+    hits = decide(s, ray.dz, maybe, t_min, t_max);
+    return !hn::AllFalse(k8, hits.lanes);
+}
+
 // Visits the leaves that lanes of `active` may touch. `leaf(first, count, lanes)` returns true to
 // stop; it lowers `t_limit`. Returns the number of nodes visited.
 template <class Leaf>
-HWY_ATTR uint32_t visit_leaves(const Target& target, const Packet& packet, Mf active,
-                               const Vf& t_limit, Leaf&& leaf) {
+HWY_ATTR uint32_t visit_leaves(const Target& target, const Packet& packet, M8 active,
+                               const V8& t_limit, Leaf&& leaf) {
     struct Entry {
-        Vf t_near, t_far;
+        V8 t_near, t_far;
         uint32_t node;
     };
     Entry stack[accel::kdtree::kMaxDepth]; // one entry a level at most
     uint32_t depth = 0;
     uint32_t visited = 0;
     uint32_t index = 0;
-    Vf t_near = hn::IfThenElse(active, packet.t_near, hn::Set(kF, 1.0f));
-    Vf t_far = hn::IfThenElse(active, packet.t_far, hn::Set(kF, -1.0f));
-    if (hn::AllFalse(kF, hn::Le(t_near, t_far))) return visited;
+    V8 t_near = hn::IfThenElse(active, packet.t_near, hn::Set(k8, 1.0f));
+    V8 t_far = hn::IfThenElse(active, packet.t_far, hn::Set(k8, -1.0f));
+    if (hn::AllFalse(k8, hn::Le(t_near, t_far))) return visited;
 
     for (;;) {
         accel::kdtree::Node node = target.nodes[index];
         ++visited;
         while (!node.is_leaf()) {
             const uint32_t k = node.axis();
-            const Vf t =
-                hn::Mul(hn::Sub(hn::Set(kF, node.split), packet.origin[k]), packet.inverse[k]);
-            const Vf t_first = hn::Sub(t, packet.margin[k]);
-            const Vf t_last = hn::Add(t, packet.margin[k]);
-            Vf near_begin = t_near, near_end = hn::Min(t_far, t_last);
-            Vf far_begin = hn::Max(t_near, t_first), far_end = t_far;
+            const V8 t =
+                hn::Mul(hn::Sub(hn::Set(k8, node.split), packet.origin[k]), packet.inverse[k]);
+            const V8 t_first = hn::Sub(t, packet.margin[k]);
+            const V8 t_last = hn::Add(t, packet.margin[k]);
+            V8 near_begin = t_near, near_end = hn::Min(t_far, t_last);
+            V8 far_begin = hn::Max(t_near, t_first), far_end = t_far;
             const bool from_right = packet.mostly_leftward[k];
             if (packet.mixed[k]) { // each lane gets its own interval in both children
-                const Mf leftward = hn::Lt(packet.inverse[k], hn::Zero(kF));
-                const Mf agrees = from_right ? leftward : hn::Not(leftward);
-                const Vf begin = near_begin, end = near_end;
+                const M8 leftward = hn::Lt(packet.inverse[k], hn::Zero(k8));
+                const M8 agrees = from_right ? leftward : hn::Not(leftward);
+                const V8 begin = near_begin, end = near_end;
                 near_begin = hn::IfThenElse(agrees, begin, far_begin);
                 near_end = hn::IfThenElse(agrees, end, far_end);
                 far_begin = hn::IfThenElse(agrees, far_begin, begin);
                 far_end = hn::IfThenElse(agrees, far_end, end);
             }
-            const bool any_near = !hn::AllFalse(kF, hn::Le(near_begin, near_end));
-            const bool any_far = !hn::AllFalse(kF, hn::Le(far_begin, far_end));
+            const bool any_near = !hn::AllFalse(k8, hn::Le(near_begin, near_end));
+            const bool any_far = !hn::AllFalse(k8, hn::Le(far_begin, far_end));
             const uint32_t near_child = node.left_child() + from_right;
             const uint32_t far_child = node.left_child() + !from_right;
             if (any_near) {
@@ -149,7 +186,7 @@ HWY_ATTR uint32_t visit_leaves(const Target& target, const Packet& packet, Mf ac
             index = entry.node;
             t_near = entry.t_near;
             t_far = hn::Min(entry.t_far, t_limit);
-        } while (hn::AllFalse(kF, hn::Le(t_near, t_far)));
+        } while (hn::AllFalse(k8, hn::Le(t_near, t_far)));
     }
 }
 
@@ -181,28 +218,29 @@ public:
         : target_(target), filter_(filter), rays_(rays), first_(first),
           packet_(target, rays, first) {
         t_ = packet_.t_max;
-        u_ = v_ = back_ = hn::Zero(kF);
-        triangle_ = hn::Set(kU, geometry::kNoTriangle);
+        u_ = v_ = hn::Zero(k8);
+        back_ = hn::Zero(k8u);
+        triangle_ = hn::Set(k8u, geometry::kNoTriangle);
     }
 
     HWY_ATTR void trace(const HitStream& hits) {
         uint32_t steps = 0;
         if (target_.bounds.empty()) return store(hits, steps);
-        const Mf regular = hn::And(packet_.present, packet_.fits);
+        const M8 regular = hn::And(packet_.present, packet_.fits);
         for (int kz = 0; kz < 3; ++kz) {
-            const Mf lanes = hn::And(regular, packet_.dominant(kz));
-            if (!hn::AllFalse(kF, lanes)) steps += trace(kz, lanes);
+            const M8 lanes = hn::And(regular, packet_.dominant(kz));
+            if (!hn::AllFalse(k8, lanes)) steps += trace(kz, lanes);
         }
         store(hits, steps);
         trace_irregular(hits);
     }
 
 private:
-    HWY_ATTR uint32_t trace(int kz, Mf lanes) {
+    HWY_ATTR uint32_t trace(int kz, M8 lanes) {
         const ShearedPacket sheared(packet_.origin, packet_.direction, kz);
         Mailbox mailbox;
         return visit_leaves(target_, packet_, lanes, t_,
-                            [&](uint32_t first, uint32_t count, Mf) HWY_ATTR {
+                            [&](uint32_t first, uint32_t count, M8) HWY_ATTR {
                                 for (uint32_t i = first; i < first + count; ++i)
                                     if (mailbox.is_new(target_.references[i]))
                                         test(sheared, target_.references[i], lanes);
@@ -210,49 +248,37 @@ private:
                             });
     }
 
-    HWY_ATTR void test(const ShearedPacket& sheared, uint32_t index, Mf active) {
+    HWY_ATTR void test(const ShearedPacket& sheared, uint32_t index, M8 active) {
         const geometry::Triangle& triangle = target_.triangles[index];
-        PacketHit hit;
+        EightHits hit;
         if (!intersect(sheared, triangle, active, packet_.t_min, t_, hit)) return;
-        Mf wins = hn::And(hit.lanes, hn::Or(hn::Lt(hit.t, t_), first_hits()));
-        const Mf ties = hn::AndNot(wins, hit.lanes);
-        if (!hn::AllFalse(kF, ties)) wins = hn::Or(wins, ties_won(ties, index));
+        M8 wins = hn::And(hit.lanes, comes_first(hit.t, index, t_, triangle_));
         if (Filtered) wins = accepted(wins, filter_, triangle.info(), hit);
         t_ = hn::IfThenElse(wins, hit.t, t_);
         u_ = hn::IfThenElse(wins, hit.u, u_);
         v_ = hn::IfThenElse(wins, hit.v, v_);
-        back_ = hn::IfThenElse(wins, hit.back, back_);
-        triangle_ = hn::IfThenElse(hn::RebindMask(kU, wins), hn::Set(kU, index), triangle_);
+        const auto uwins = hn::RebindMask(k8u, wins);
+        back_ = hn::IfThenElse(uwins, hit.back, back_);
+        triangle_ = hn::IfThenElse(uwins, hn::Set(k8u, index), triangle_);
     }
 
-    HWY_ATTR Mf first_hits() const {
-        return hn::RebindMask(kF, hn::Eq(triangle_, hn::Set(kU, geometry::kNoTriangle)));
-    }
-
-    HWY_ATTR Mf ties_won(Mf ties, uint32_t index) const {
-        alignas(64) uint32_t best[kLanes];
-        alignas(64) float won[kLanes];
-        hn::Store(triangle_, kU, best);
-        const uint64_t lanes = lane_bits(ties);
-        for (size_t i = 0; i < kLanes; ++i) {
-            won[i] = (lanes >> i & 1) && index < best[i] ? 1.0f : 0.0f;
-        }
-        return hn::Gt(hn::Load(kF, won), hn::Zero(kF));
+    HWY_ATTR M8 first_hits() const {
+        return hn::RebindMask(k8, hn::Eq(triangle_, hn::Set(k8u, geometry::kNoTriangle)));
     }
 
     HWY_ATTR void store(const HitStream& hits, uint32_t steps) const {
-        const Mf missed = first_hits();
-        const Vf infinity = hn::Set(kF, std::numeric_limits<float>::infinity());
-        hn::Store(hn::IfThenElse(missed, infinity, t_), kF, hits.t + first_);
-        hn::Store(u_, kF, hits.u + first_);
-        hn::Store(v_, kF, hits.v + first_);
-        hn::Store(triangle_, kU, hits.triangle + first_);
-        hn::Store(hn::BitCast(kU, back_), kU, hits.back_face + first_);
-        if (hits.steps) hn::Store(hn::Set(kU, steps), kU, hits.steps + first_);
+        const M8 missed = first_hits();
+        const V8 infinity = hn::Set(k8, std::numeric_limits<float>::infinity());
+        hn::Store(hn::IfThenElse(missed, infinity, t_), k8, hits.t + first_);
+        hn::Store(u_, k8, hits.u + first_);
+        hn::Store(v_, k8, hits.v + first_);
+        hn::Store(triangle_, k8u, hits.triangle + first_);
+        hn::Store(back_, k8u, hits.back_face + first_);
+        if (hits.steps) hn::Store(hn::Set(k8u, steps), k8u, hits.steps + first_);
     }
 
     HWY_ATTR void trace_irregular(const HitStream& hits) const {
-        const uint64_t lanes = lane_bits(hn::AndNot(packet_.fits, packet_.present));
+        const uint32_t lanes = bits_of(k8, hn::AndNot(packet_.fits, packet_.present));
         for (size_t i = 0; lanes >> i; ++i) {
             if (!(lanes >> i & 1)) continue;
             const size_t at = first_ + i;
@@ -273,8 +299,8 @@ private:
     const RayStream& rays_;
     size_t first_;
     Packet packet_;
-    Vf t_, u_, v_, back_; // back_ holds the integers 0 and 1 as bits
-    Vu triangle_;
+    V8 t_, u_, v_;
+    V8u back_, triangle_;
 };
 
 template <bool Filtered>
@@ -288,39 +314,39 @@ public:
     HWY_ATTR void trace(uint8_t* occluded) {
         uint64_t blocked = 0;
         if (!target_.bounds.empty()) {
-            const Mf regular = hn::And(packet_.present, packet_.fits);
+            const M8 regular = hn::And(packet_.present, packet_.fits);
             for (int kz = 0; kz < 3; ++kz) {
-                const Mf lanes = hn::And(regular, packet_.dominant(kz));
-                if (!hn::AllFalse(kF, lanes)) blocked |= trace(kz, lanes);
+                const M8 lanes = hn::And(regular, packet_.dominant(kz));
+                if (!hn::AllFalse(k8, lanes)) blocked |= trace(kz, lanes);
             }
             blocked |= trace_irregular();
         }
-        for (uint64_t i = 0, n = lane_bits(packet_.present); n >> i; ++i)
+        for (uint64_t i = 0, n = bits_of(k8, packet_.present); n >> i; ++i)
             occluded[first_ + i] = blocked >> i & 1;
     }
 
 private:
-    HWY_ATTR uint64_t trace(int kz, Mf lanes) {
+    HWY_ATTR uint64_t trace(int kz, M8 lanes) {
         const ShearedPacket sheared(packet_.origin, packet_.direction, kz);
         // A blocked lane gets a limit below every t, which takes it out of the traversal.
-        Vf t_limit = packet_.t_far;
+        V8 t_limit = packet_.t_far;
         uint64_t blocked = 0;
-        const uint64_t all = lane_bits(lanes);
+        const uint64_t all = bits_of(k8, lanes);
         Mailbox mailbox;
         visit_leaves(
-            target_, packet_, lanes, t_limit, [&](uint32_t first, uint32_t count, Mf) HWY_ATTR {
-                Mf open = hn::And(lanes, hn::Gt(t_limit, hn::Set(kF, kNever)));
+            target_, packet_, lanes, t_limit, [&](uint32_t first, uint32_t count, M8) HWY_ATTR {
+                M8 open = hn::And(lanes, hn::Gt(t_limit, hn::Set(k8, kNever)));
                 for (uint32_t i = first; i < first + count; ++i) {
                     if (!mailbox.is_new(target_.references[i])) continue;
                     const auto& triangle = target_.triangles[target_.references[i]];
-                    PacketHit hit;
+                    EightHits hit;
                     if (!intersect(sheared, triangle, open, packet_.t_min, packet_.t_max, hit))
                         continue;
                     if (Filtered) hit.lanes = accepted(hit.lanes, filter_, triangle.info(), hit);
                     open = hn::AndNot(hit.lanes, open);
-                    t_limit = hn::IfThenElse(hit.lanes, hn::Set(kF, kNever), t_limit);
-                    blocked |= lane_bits(hit.lanes);
-                    if (hn::AllFalse(kF, open)) break;
+                    t_limit = hn::IfThenElse(hit.lanes, hn::Set(k8, kNever), t_limit);
+                    blocked |= bits_of(k8, hit.lanes);
+                    if (hn::AllFalse(k8, open)) break;
                 }
                 return blocked == all;
             });
@@ -329,7 +355,7 @@ private:
 
     HWY_ATTR uint64_t trace_irregular() const {
         uint64_t blocked = 0;
-        const uint64_t lanes = lane_bits(hn::AndNot(packet_.fits, packet_.present));
+        const uint32_t lanes = bits_of(k8, hn::AndNot(packet_.fits, packet_.present));
         for (uint64_t i = 0; lanes >> i; ++i) {
             if (!(lanes >> i & 1)) continue;
             const math::Ray ray = ray_at(rays_, first_ + i);

@@ -21,14 +21,14 @@ using namespace trace::HWY_NAMESPACE;
 template <bool Filtered>
 HWY_ATTR void closest_stream(const Target& target, const RayStream& rays, const Filter& filter,
                              const HitStream& hits) {
-    for (uint32_t first = 0; first < rays.count; first += kLanes)
+    for (uint32_t first = 0; first < rays.count; first += kLanes8)
         ClosestPacket<Filtered>(target, filter, rays, first).trace(hits);
 }
 
 template <bool Filtered>
 HWY_ATTR void occluded_stream(const Target& target, const RayStream& rays, const Filter& filter,
                               uint8_t* occluded) {
-    for (uint32_t first = 0; first < rays.count; first += kLanes)
+    for (uint32_t first = 0; first < rays.count; first += kLanes8)
         OccludedPacket<Filtered>(target, filter, rays, first).trace(occluded);
 }
 

@@ -1,24 +1,28 @@
-// The vectors of the wide BVH's kernels: its layout is fixed, machines fill it in one or two steps.
-// Included once for each instruction set.
-#if defined(PEREGRINE_TRACE_BVH_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef PEREGRINE_TRACE_BVH_LANES_INL_H
-#undef PEREGRINE_TRACE_BVH_LANES_INL_H
+// The vectors of the kernels. Their sizes are those of the data, eight and four; machines fill them
+// in one or two steps. Included once for each instruction set.
+#if defined(PEREGRINE_TRACE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_LANES_INL_H
+#undef PEREGRINE_TRACE_LANES_INL_H
 #else
-#define PEREGRINE_TRACE_BVH_LANES_INL_H
+#define PEREGRINE_TRACE_LANES_INL_H
 #endif
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace peregrine::trace::bvh::HWY_NAMESPACE {
+namespace peregrine::trace::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Boxes of a node: eight, or four.
+// Rays of a packet, boxes of a wide node: eight, or four. (Sixteen at a time double the work of
+// packets whose rays part.)
 using D8 = hn::CappedTag<float, 8>;
+using D8u = hn::RebindToUnsigned<D8>;
 constexpr D8 k8;
+constexpr D8u k8u;
 constexpr size_t kLanes8 = hn::MaxLanes(k8);
 using V8 = hn::Vec<D8>;
+using V8u = hn::Vec<D8u>;
 using M8 = hn::Mask<D8>;
 
 // Triangles of a block.
@@ -57,15 +61,21 @@ HWY_INLINE HWY_ATTR V4 least_of_halves(V x) {
         return hn::Min(hn::LowerHalf(k4, x), hn::UpperHalf(k4, x));
 }
 
-// Lanes first to first + kLanesD of a block, as doubles.
+// Half of eight lanes, or a part of four, as doubles.
+HWY_INLINE HWY_ATTR Vd promote_low(V8 x) {
+    return hn::PromoteTo(kD, hn::LowerHalf(kFd, x));
+}
+HWY_INLINE HWY_ATTR Vd promote_high(V8 x) {
+    return hn::PromoteTo(kD, hn::UpperHalf(kFd, x));
+}
 template <class V>
 HWY_INLINE HWY_ATTR Vd promote_part(V x, size_t first) {
     if constexpr (kLanesD == 4)
         return hn::PromoteTo(kD, x);
     else
-        return hn::PromoteTo(kD, first == 0 ? hn::LowerHalf(kFd, x) : hn::UpperHalf(kFd, x));
+        return first == 0 ? promote_low(x) : promote_high(x);
 }
 
-} // namespace peregrine::trace::bvh::HWY_NAMESPACE
+} // namespace peregrine::trace::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
