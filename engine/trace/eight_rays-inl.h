@@ -42,7 +42,7 @@ HWY_INLINE HWY_ATTR EightHits join(const Decided& low, const Decided& high, V8 d
 }
 
 HWY_INLINE HWY_ATTR EightHits decide(const Sheared<V8>& s, V8 dz, M8 maybe, V8 t_min, V8 t_max) {
-    const auto half = [&](auto part) HWY_ATTR {
+    const auto half = [&](auto part) HWY_ATTR __attribute__((always_inline)) {
         return decide<false>(part(s.ax), part(s.ay), part(s.bx), part(s.by), part(s.cx), part(s.cy),
                              part(s.az), part(s.bz), part(s.cz), part(dz));
     };

@@ -128,7 +128,7 @@ HWY_INLINE HWY_ATTR bool intersect(const BlockRay& ray, const Block& block, floa
     uint32_t maybe = edges.maybe();
     if (maybe == 0) return false;
     maybe &= RangeMargin(ray, sheared, edges, t_max).maybe();
-    return maybe != 0 && decide_block<true>(sheared, ray.dz, ray.t_min, t_max, hits);
+    return maybe != 0 && decide_block<Details::all>(sheared, ray.dz, ray.t_min, t_max, hits);
 }
 
 // Whether the ray hits a triangle of the block. Doubles decide what float is too coarse for: rays
@@ -143,7 +143,7 @@ HWY_INLINE HWY_ATTR bool intersects(const BlockRay& ray, const Block& block) {
     maybe &= range.maybe();
     if (maybe == 0) return false;
     BlockHits hits;
-    return decide_block<false>(sheared, ray.dz, ray.t_min, ray.t_max, hits);
+    return decide_block<Details::none>(sheared, ray.dz, ray.t_min, ray.t_max, hits);
 }
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE

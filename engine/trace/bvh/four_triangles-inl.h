@@ -28,7 +28,8 @@ struct BlockHits {
 // kx, ky, kz are offsets of the ray's axes in a vertex of a block, in floats.
 HWY_INLINE HWY_ATTR Sheared<V4> relative_to(const Block& block, size_t kx, size_t ky, size_t kz,
                                             V4 ox, V4 oy, V4 oz, V4 sx, V4 sy) {
-    const auto corner = [&](uint32_t vertex, V4& x, V4& y, V4& z) HWY_ATTR {
+    const auto corner = [&](uint32_t vertex, V4 & x, V4 & y, V4 & z) HWY_ATTR
+        __attribute__((always_inline)) {
         const float* p = &block.vertex[vertex][0][0];
         z = hn::Sub(hn::Load(k4, p + kz), oz);
         x = shear(hn::Sub(hn::Load(k4, p + kx), ox), sx, z);
@@ -41,9 +42,12 @@ HWY_INLINE HWY_ATTR Sheared<V4> relative_to(const Block& block, size_t kx, size_
     return s;
 }
 
+// What to find out of the triangles that are hit: nothing more, everything, or everything without a
+// branch on whether there are any.
+enum class Details { none, all, all_at_once };
+
 // The triangles that are hit within [t_min, t_max], t_max being a number; false if there are none.
-// Without `Details` nothing but the lanes is known of them.
-template <bool Details>
+template <Details details>
 HWY_INLINE HWY_ATTR bool decide_block(const Sheared<V4>& s, Vd dz, float t_min, float t_max,
                                       BlockHits& hits) {
     hits.lanes = hits.back_faces = 0;
@@ -54,8 +58,9 @@ HWY_INLINE HWY_ATTR bool decide_block(const Sheared<V4>& s, Vd dz, float t_min, 
                           part(s.az), part(s.bz), part(s.cz), dz);
         const auto in_range =
             hn::And(hn::Ge(decided.t, hn::Set(kFd, t_min)), hn::Le(decided.t, hn::Set(kFd, t_max)));
-        hits.lanes |= bits_of(kFd, in_range) << first;
-        if (!Details) continue;
+        const uint32_t lanes = bits_of(kFd, in_range);
+        hits.lanes |= lanes << first;
+        if (details == Details::none || (details == Details::all && lanes == 0)) continue;
         hn::StoreU(decided.t, kFd, hits.t + first);
         hn::StoreU(decided.u, kFd, hits.u + first);
         hn::StoreU(decided.v, kFd, hits.v + first);

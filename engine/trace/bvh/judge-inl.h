@@ -41,7 +41,7 @@ HWY_INLINE HWY_ATTR EightHits judge(const Judge& facet, V8 sx, V8 sy, V8 dz, M8 
     const V8 ax = shear(facet.x[0], sx, facet.z[0]), ay = shear(facet.y[0], sy, facet.z[0]);
     const V8 bx = shear(facet.x[1], sx, facet.z[1]), by = shear(facet.y[1], sy, facet.z[1]);
     const V8 cx = shear(facet.x[2], sx, facet.z[2]), cy = shear(facet.y[2], sy, facet.z[2]);
-    const auto half = [&](auto part) HWY_ATTR {
+    const auto half = [&](auto part) HWY_ATTR __attribute__((always_inline)) {
         return decide<Inside>(part(ax), part(ay), part(bx), part(by), part(cx), part(cy),
                               facet.z_double[0], facet.z_double[1], facet.z_double[2], part(dz));
     };

@@ -26,7 +26,7 @@ HWY_INLINE HWY_ATTR Sheared<V8> relative_to(const Pencil& pencil, const RayStrea
     const V8 oy = hn::LoadU(k8, rays.origin[pencil.ky] + ray);
     const V8 oz = hn::LoadU(k8, rays.origin[pencil.kz] + ray);
     const V8 sx = hn::Load(k8, pencil.sx + at), sy = hn::Load(k8, pencil.sy + at);
-    const auto corner = [&](int i, V8& x, V8& y, V8& z) HWY_ATTR {
+    const auto corner = [&](int i, V8& x, V8& y, V8& z) HWY_ATTR __attribute__((always_inline)) {
         z = hn::Sub(hn::Set(k8, block.vertex[i][pencil.kz][lane]), oz);
         x = shear(hn::Sub(hn::Set(k8, block.vertex[i][pencil.kx][lane]), ox), sx, z);
         y = shear(hn::Sub(hn::Set(k8, block.vertex[i][pencil.ky][lane]), oy), sy, z);

@@ -206,9 +206,9 @@ private:
         test_count_ = tests;
     }
 
-    template <bool Details>
+    template <Details details>
     HWY_INLINE HWY_ATTR void decide(const WaveRay& ray, uint32_t block, BlockHits& hits) const {
-        decide_block<Details>(relative_to(ray, target_.bvh_blocks[block]),
+        decide_block<details>(relative_to(ray, target_.bvh_blocks[block]),
                               hn::Set(kD, double(ray.dz)), ray.t_min, ray.t_max, hits);
     }
 
@@ -226,7 +226,7 @@ private:
         for (uint32_t i = 0; i < test_count_; ++i) {
             WaveRay& ray = ray_[tests_[i].ray];
             BlockHits hits;
-            decide<false>(ray, tests_[i].block, hits);
+            decide<Details::none>(ray, tests_[i].block, hits);
             on_hit(ray.index, hits.lanes != 0);
             ray.t_limit = hits.lanes ? kNever : ray.t_limit;
         }
@@ -239,7 +239,7 @@ private:
             const Test test = tests_[i];
             const WaveRay& ray = ray_[test.ray];
             BlockHits& hits = found_[found];
-            decide<true>(ray, test.block, hits);
+            decide<Details::all_at_once>(ray, test.block, hits);
             tests_[found] = test;
             found += hits.lanes != 0;
         }

@@ -32,7 +32,8 @@ HWY_INLINE HWY_ATTR uint32_t maybe_of_two(const WaveRay& a, const WaveRay& b, co
     const V8 ox{_mm256_permute_ps(first, 0x00)}, oy{_mm256_permute_ps(first, 0x55)},
         oz{_mm256_permute_ps(first, 0xAA)}, sx{_mm256_permute_ps(first, 0xFF)},
         sy{_mm256_permute_ps(second, 0x00)};
-    const auto corner = [&](uint32_t vertex, V8& x, V8& y) HWY_ATTR {
+    const auto corner = [&](uint32_t vertex, V8 & x, V8 & y) HWY_ATTR
+        __attribute__((always_inline)) {
         const float* p = &block.vertex[vertex][0][0];
         const V8 z = hn::Sub(V8{join(p + a.kz, p + b.kz)}, oz);
         x = shear(hn::Sub(V8{join(p + a.kx, p + b.kx)}, ox), sx, z);

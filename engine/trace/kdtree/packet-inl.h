@@ -108,7 +108,8 @@ struct ShearedPacket {
 // The lanes of `active` that the triangle is hit by within [t_min, t_max]; false if there are none.
 HWY_INLINE HWY_ATTR bool intersect(const ShearedPacket& ray, const geometry::Triangle& triangle,
                                    M8 active, V8 t_min, V8 t_max, EightHits& hits) {
-    const auto corner = [&](const geometry::Vec3& p, V8& x, V8& y, V8& z) HWY_ATTR {
+    const auto corner = [&](const geometry::Vec3& p, V8& x, V8& y, V8& z) HWY_ATTR
+        __attribute__((always_inline)) {
         z = hn::Sub(hn::Set(k8, p[ray.kz]), ray.oz);
         x = shear(hn::Sub(hn::Set(k8, p[ray.kx]), ray.ox), ray.sx, z);
         y = shear(hn::Sub(hn::Set(k8, p[ray.ky]), ray.oy), ray.sy, z);
