@@ -41,13 +41,21 @@ struct ShearedRay {
     float t_min, t_max;
 };
 
-inline ShearedRay shear(const math::Ray& ray) {
-    const float x = std::fabs(ray.direction.x);
-    const float y = std::fabs(ray.direction.y);
-    const float z = std::fabs(ray.direction.z);
+// Step 1.
+struct Axes {
+    int32_t kx, ky, kz;
+};
+inline Axes axes_of(const Vec3& direction) {
+    const float x = std::fabs(direction.x);
+    const float y = std::fabs(direction.y);
+    const float z = std::fabs(direction.z);
     const int32_t kz = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
     const int32_t kx = kz == 2 ? 0 : kz + 1;
-    const int32_t ky = kx == 2 ? 0 : kx + 1;
+    return {kx, kx == 2 ? 0 : kx + 1, kz};
+}
+
+inline ShearedRay shear(const math::Ray& ray) {
+    const auto [kx, ky, kz] = axes_of(ray.direction);
     const float dz = ray.direction[kz];
     return {ray.origin,
             ray.direction[kx] / dz,

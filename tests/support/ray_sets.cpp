@@ -123,6 +123,32 @@ public:
         return ray;
     }
 
+    // Rays of one mind without a common origin, up to 300 in turn, as mirrors and suns cast them:
+    // from a patch of a plane, parallel or spreading, some of them from vertices or straight at
+    // them.
+    Ray sheaf() {
+        if (fan_left_ == 0) {
+            fan_left_ = 1 + pick(300);
+            fan_origin_ = coin() ? on_triangle() : inside();
+            fan_direction_ =
+                pick(3) == 0 ? Vec3(coin() ? 1 : -1, int(pick(3)) - 1, 0) : direction();
+            fan_width_ = pick(3) == 0 ? 0.0f : std::exp2(-4.0f - float(pick(12)));
+            fan_end_ =
+                pick(3) == 0 ? uniform() * glm::length(bounds_.upper - bounds_.lower) : kInfinity;
+            fan_target_ = 0.05f * glm::length(bounds_.upper - bounds_.lower) * direction();
+        }
+        --fan_left_;
+        const Vec3 across = glm::cross(fan_direction_, fan_target_);
+        const float x = uniform() - 0.5f, y = uniform() - 0.5f;
+        Ray ray{fan_origin_ + x * fan_target_ + y * across, 0,
+                fan_direction_ + fan_width_ * (x * fan_target_ + y * across), fan_end_};
+        if (pick(8) == 0) ray.origin = vertex();
+        if (pick(8) == 0) ray.origin = vertex() - ray.direction;
+        if (pick(16) == 0) ray.t_min = 0.01f * uniform();
+        if (ray.direction == Vec3(0)) ray.direction.z = 1;
+        return ray;
+    }
+
     // A picture's rays, 16 x 16 pixels at a time.
     Ray picture() {
         if (fan_left_ == 0) {
@@ -205,6 +231,7 @@ std::vector<RaySet> make_ray_sets(std::span<const geometry::Triangle> triangles,
         {"through edges", &Generator::through_edge},
         {"extreme", &Generator::extreme},
         {"fan", &Generator::fan},
+        {"sheaf", &Generator::sheaf},
         {"picture", &Generator::picture},
     };
     Generator generator(triangles, eyes, lights, seed);

@@ -8,6 +8,7 @@
 
 #include <hwy/highway.h>
 
+#include "geometry/intersect.h"
 #include "trace/kernels.h"
 #include "trace/lanes-inl.h"
 #include "trace/slabs.h"
@@ -24,6 +25,9 @@ inline constexpr uint32_t kGroupRays = 32;
 inline constexpr uint32_t kGroups = 16; // bits of a uint32_t tell which ones
 inline constexpr uint32_t kBeamRays = kGroups * kGroupRays;
 inline constexpr uint32_t kAllRays = uint32_t((uint64_t(1) << kGroupRays) - 1); // of a group
+
+// Up to this slope the edge functions of Facets and of the canonical test agree.
+constexpr float kMaxSlope = 1.125f;
 
 // The limit of rays that want no more hits.
 constexpr float kNever = -std::numeric_limits<float>::infinity();
@@ -133,8 +137,6 @@ struct Extent {
 
 template <bool Full>
 HWY_ATTR bool Beam::gather_rays(const RayStream& rays) {
-    // Edge functions of the canonical test and of Facets agree up to this slope.
-    constexpr float kMaxSlope = 1.125f;
     const uint32_t middle = first + count / 2;
     const V8 one = hn::Set(k8, 1.0f);
     const V8 sign_v = hn::Set(k8, sign);
@@ -243,10 +245,8 @@ inline HWY_ATTR bool Beam::gather(const Target& target, const RayStream& rays, u
     first = begin;
     count = n;
     const math::Ray ray = ray_at(rays, begin + n / 2);
-    const math::Vec3 along = glm::abs(ray.direction);
-    kz = along.x >= along.y ? (along.x >= along.z ? 0 : 2) : (along.y >= along.z ? 1 : 2);
-    kx = kz == 2 ? 0 : kz + 1;
-    ky = kx == 2 ? 0 : kx + 1;
+    const geometry::Axes axes = geometry::axes_of(ray.direction);
+    kx = axes.kx, ky = axes.ky, kz = axes.kz;
     sign = ray.direction[kz] < 0 ? -1.0f : 1.0f;
     origin[0] = ray.origin[kx];
     origin[1] = ray.origin[ky];

@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include "geometry/intersect.h"
 #include "trace/bvh/beam-inl.h"
 #include "trace/kernels.h"
 #include "trace/lanes-inl.h"
@@ -76,7 +77,6 @@ private:
 
 template <bool Full>
 HWY_ATTR bool Pencil::gather_rays(const RayStream& rays) {
-    constexpr float kMaxSlope = 1.125f;
     constexpr float kWidest = 0.05f; // mean width of a bundle; measured: beyond, waves are faster
     const uint32_t middle = first + count / 2;
     const V8 infinity = hn::Set(k8, std::numeric_limits<float>::infinity());
@@ -151,19 +151,32 @@ HWY_ATTR bool Pencil::gather_rays(const RayStream& rays) {
     return near >= 0;
 }
 
+inline HWY_ATTR math::Box bounds_of_origins(const RayStream& rays, uint32_t begin, uint32_t n) {
+    math::Box box;
+    for (int k = 0; k < 3; ++k) {
+        const float* origin = rays.origin[k] + begin;
+        V8 lower = hn::Set(k8, origin[0]), upper = lower;
+        for (uint32_t i = 0; i < n; i += kLanes8) {
+            const M8 there = hn::FirstN(k8, n - i);
+            const V8 value = hn::IfThenElse(there, hn::LoadU(k8, origin + i), lower);
+            lower = hn::Min(lower, value);
+            upper = hn::Max(upper, value);
+        }
+        box.lower[k] = hn::GetLane(hn::MinOfLanes(k8, lower));
+        box.upper[k] = hn::GetLane(hn::MaxOfLanes(k8, upper));
+    }
+    return box;
+}
+
 inline HWY_ATTR bool Pencil::gather(const Target& target, const RayStream& rays, uint32_t begin,
                                     uint32_t n) {
     first = begin;
     count = n;
     const math::Ray ray = ray_at(rays, begin + n / 2);
-    const math::Vec3 along = glm::abs(ray.direction);
-    kz = along.x >= along.y ? (along.x >= along.z ? 0 : 2) : (along.y >= along.z ? 1 : 2);
-    kx = kz == 2 ? 0 : kz + 1;
-    ky = kx == 2 ? 0 : kx + 1;
+    const geometry::Axes axes = geometry::axes_of(ray.direction);
+    kx = axes.kx, ky = axes.ky, kz = axes.kz;
     sign = ray.direction[kz] < 0 ? -1.0f : 1.0f;
-    math::Box origins;
-    for (uint32_t i = begin; i < begin + n; ++i)
-        origins.extend(math::Vec3(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]));
+    const math::Box origins = bounds_of_origins(rays, begin, n);
     plane_z = sign > 0 ? origins.lower[kz] : origins.upper[kz];
     const float distance = std::max(reach<float>(target.bounds, origins.lower),
                                     reach<float>(target.bounds, origins.upper));
