@@ -32,6 +32,11 @@ constexpr rt_api kApi = {
     .resolve_hits = rt_resolve_hits,
     .render_frame = rt_render_frame,
     .get_scene_stats = rt_get_scene_stats,
+    .add_rigid_mesh = rt_add_rigid_mesh,
+    .add_mesh_instance = rt_add_mesh_instance,
+    .set_mesh_transform = rt_set_mesh_transform,
+    .set_mesh_layer_mask = rt_set_mesh_layer_mask,
+    .set_mesh_hidden = rt_set_mesh_hidden,
 };
 
 constexpr const char* kResultNames[] = {

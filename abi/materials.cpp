@@ -84,8 +84,9 @@ void update(scene::Scene& scene, rt_material handle, const rt_material_desc& des
     // The triangles of the structure carry these two.
     if (old.material.masked != now.material.masked
         || old.material.double_sided != now.material.double_sided)
-        scene.touch_geometry();
+        scene.touch_flags();
     old = now;
+    scene.touch_materials();
 }
 
 } // namespace
@@ -100,6 +101,7 @@ rt_result rt_add_material(rt_scene scene, const rt_material_desc* desc,
         require_pointer(out_material, "out_material");
         *out_material = to_host<rt_material>(
             host.scene.materials.insert(describe(host.scene, read_struct(desc))));
+        host.scene.touch_materials();
     });
 }
 
@@ -113,6 +115,7 @@ rt_result rt_remove_material(rt_scene scene, rt_material material) noexcept {
         HostScene& host = find_scene(scene);
         require_object(host.scene.materials, to_handle(material), "rt_material", "material");
         host.scene.materials.erase(to_handle(material));
-        host.scene.touch_geometry(); // its meshes show the default one from now on
+        host.scene.touch_materials();
+        host.scene.touch_flags(); // its meshes show the default one from now on
     });
 }

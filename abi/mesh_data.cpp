@@ -12,6 +12,7 @@ namespace {
 using base::Code;
 using base::fail;
 using scene::MeshData;
+using scene::MeshSurface;
 
 constexpr uint64_t kMostTriangles = uint64_t(1) << 27;
 constexpr uint64_t kMostVertices = uint64_t(1) << 30;
@@ -82,7 +83,7 @@ void copy_indices(const Array<Index>& indices, uint64_t vertices,
 }
 
 template <class Index>
-void read_indices(const rt_mesh_desc& desc, uint64_t vertices, MeshData& out) {
+void read_indices(const rt_mesh_desc& desc, uint64_t vertices, MeshSurface& out) {
     const Array<Index> indices(desc.indices, "rt_mesh_desc.indices", 3 * kMostTriangles);
     if (indices.absent())
         fail(Code::invalid_argument,
@@ -91,7 +92,7 @@ void read_indices(const rt_mesh_desc& desc, uint64_t vertices, MeshData& out) {
     copy_indices(indices, vertices, out.triangles);
 }
 
-void number_corners(const rt_mesh_desc& desc, uint64_t vertices, MeshData& out) {
+void number_corners(const rt_mesh_desc& desc, uint64_t vertices, MeshSurface& out) {
     if (desc.indices.count != 0 || desc.indices.data)
         fail(Code::invalid_argument,
              "rt_mesh_desc.indices is there, but index_type is RT_INDEX_NONE");
@@ -104,14 +105,14 @@ bool is_null(rt_material material) {
     return material.index == 0 && material.generation == 0;
 }
 
-void read_material(scene::Scene& scene, const rt_mesh_desc& desc, MeshData& out) {
+void read_material(scene::Scene& scene, const rt_mesh_desc& desc, MeshSurface& out) {
     if (!is_null(desc.material))
         require_object(scene.materials, to_handle(desc.material), "rt_mesh_desc.material",
                        "material");
     out.material = {desc.material.index, desc.material.generation};
 }
 
-void read_materials(scene::Scene& scene, const rt_mesh_desc& desc, MeshData& out) {
+void read_materials(scene::Scene& scene, const rt_mesh_desc& desc, MeshSurface& out) {
     const Array<rt_material> materials(desc.materials, "rt_mesh_desc.materials", kAnyCount);
     if (materials.absent()) return;
     if (materials.count() != out.triangles.size())
@@ -127,11 +128,11 @@ void read_materials(scene::Scene& scene, const rt_mesh_desc& desc, MeshData& out
                  print(i), material.index, material.generation);
         out.materials[i] = is_null(material)
                                ? out.material
-                               : MeshData::MaterialRef{material.index, material.generation};
+                               : MeshSurface::MaterialRef{material.index, material.generation};
     }
 }
 
-void read_triangles(const rt_mesh_desc& desc, uint64_t vertices, MeshData& out) {
+void read_triangles(const rt_mesh_desc& desc, uint64_t vertices, MeshSurface& out) {
     switch (desc.index_type) {
     case RT_INDEX_UINT32:
         return read_indices<uint32_t>(desc, vertices, out);
@@ -142,9 +143,10 @@ void read_triangles(const rt_mesh_desc& desc, uint64_t vertices, MeshData& out) 
     }
 }
 
-std::shared_ptr<MeshData> allocate(scene::Scene& scene) {
+std::shared_ptr<MeshData> allocate(scene::Scene& scene,
+                                   std::shared_ptr<const MeshSurface> surface) {
     return std::allocate_shared<MeshData>(std::pmr::polymorphic_allocator<MeshData>(&scene.memory),
-                                          &scene.memory);
+                                          std::move(surface), &scene.memory);
 }
 
 } // namespace
@@ -163,15 +165,17 @@ MeshDataPointer make_mesh_data(scene::Scene& scene, const rt_mesh_desc& desc) {
     const auto texcoords1 =
         per_vertex<math::Vec2>(desc.texcoords1, "rt_mesh_desc.texcoords1", vertices);
 
-    const auto data = allocate(scene);
-    read_material(scene, desc, *data);
-    read_triangles(desc, vertices, *data);
-    read_materials(scene, desc, *data);
+    const auto surface = std::allocate_shared<MeshSurface>(
+        std::pmr::polymorphic_allocator<MeshSurface>(&scene.memory), &scene.memory);
+    read_material(scene, desc, *surface);
+    read_triangles(desc, vertices, *surface);
+    read_materials(scene, desc, *surface);
+    copy(texcoords, surface->texcoords, clean_texcoord);
+    copy(texcoords1, surface->texcoords1, clean_texcoord);
+    const auto data = allocate(scene, surface);
     copy(positions, data->positions, as_it_is);
     copy(normals, data->normals, clean_direction<math::Vec3>);
     copy(tangents, data->tangents, clean_tangent);
-    copy(texcoords, data->texcoords, clean_texcoord);
-    copy(texcoords1, data->texcoords1, clean_texcoord);
     return data;
 }
 
@@ -184,7 +188,7 @@ MeshDataPointer update_mesh_data(scene::Scene& scene, const MeshData& old,
     const auto tangents =
         per_vertex<math::Vec4>(update.tangents, "rt_mesh_update.tangents", vertices);
 
-    const auto data = allocate(scene);
+    const auto data = allocate(scene, old.surface);
     if (positions.absent())
         data->positions = old.positions;
     else
@@ -197,11 +201,6 @@ MeshDataPointer update_mesh_data(scene::Scene& scene, const MeshData& old,
         data->tangents = old.tangents;
     else
         copy(tangents, data->tangents, clean_tangent);
-    data->texcoords = old.texcoords;
-    data->texcoords1 = old.texcoords1;
-    data->triangles = old.triangles;
-    data->materials = old.materials;
-    data->material = old.material;
     return data;
 }
 

@@ -109,7 +109,9 @@ rt_texture add(scene::Scene& scene, const rt_texture_desc& desc) {
     using Allocator = std::pmr::polymorphic_allocator<scene::Texture>;
     auto texture = std::allocate_shared<scene::Texture>(Allocator(&scene.memory), &scene.memory);
     fill(*texture, desc, stride);
-    return to_host<rt_texture>(scene.textures.insert(std::move(texture)));
+    const base::Handle handle = scene.textures.insert(std::move(texture));
+    scene.touch_materials();
+    return to_host<rt_texture>(handle);
 }
 
 } // namespace
@@ -131,5 +133,6 @@ rt_result rt_remove_texture(rt_scene scene, rt_texture texture) noexcept {
         HostScene& host = find_scene(scene);
         require_object(host.scene.textures, to_handle(texture), "rt_texture", "texture");
         host.scene.textures.erase(to_handle(texture));
+        host.scene.touch_materials();
     });
 }

@@ -62,6 +62,7 @@ public:
 
     uint32_t count() const { return uint32_t(slots_.size() - free_.size()); }
     const Vector<Slot>& slots() const { return slots_; }
+    Vector<Slot>& slots() { return slots_; }
 
 private:
     uint32_t first_generation_;

@@ -3,6 +3,7 @@
 #include "query/ray_loaders.h"
 #include "query/store_hit.h"
 #include "query/valid_ray.h"
+#include "trace/world/stream.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,6 +12,7 @@ namespace peregrine::query {
 namespace {
 
 constexpr uint32_t kChunk = 1024; // rays: as many as a tile of a frame
+static_assert(kChunk <= trace::kMaxStream);
 constexpr uint32_t kPad = 16;     // to a multiple of this
 
 template <class T>
@@ -155,7 +157,7 @@ void check(const Rays& rays, const RayLoaders& loaders) {
 template <class Trace>
 void for_each_chunk(const scene::Snapshot& snapshot, const Rays& rays, trace::Coherence coherence,
                     Trace&& trace) {
-    const RayLoaders& loaders = ray_loaders(snapshot.kernels->isa);
+    const RayLoaders& loaders = ray_loaders(snapshot.isa());
     check(rays, loaders);
     Chunk chunk;
     for (uint64_t first = 0; first < rays.count; first += kChunk) {
@@ -173,7 +175,7 @@ void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trac
     HitChunk chunk(snapshot);
     for_each_chunk(snapshot, rays, coherence,
                    [&](const trace::RayStream& stream, uint64_t first, uint32_t count) {
-                       snapshot.kernels->closest_stream(snapshot.target, stream, filter,
+                       trace::closest(snapshot.world, stream, filter,
                                                         chunk.begin(hits, first, count));
                        chunk.end(hits, first, count);
                    });
@@ -184,7 +186,7 @@ void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const tr
     Lane<uint8_t> room;
     for_each_chunk(snapshot, rays, coherence,
                    [&](const trace::RayStream& stream, uint64_t first, uint32_t count) {
-                       snapshot.kernels->occluded_stream(snapshot.target, stream, filter,
+                       trace::occluded(snapshot.world, stream, filter,
                                                          room.value);
                        std::byte* place = occluded.data + first * occluded.stride;
                        if (occluded.stride == 1) {

@@ -4,6 +4,7 @@
 #include "query/store_hit.h"
 #include "query/valid_ray.h"
 #include "scene/alpha_test.h"
+#include "trace/world/single.h"
 
 namespace peregrine::query {
 namespace {
@@ -54,7 +55,7 @@ void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Selec
     check_each(rays);
     const HitNames names(snapshot);
     for (uint64_t i = 0; i < rays.count; ++i) {
-        const trace::Hit hit = snapshot.kernels->closest(snapshot.target, rays.load(i), filter);
+        const trace::Hit hit = trace::closest(snapshot.world, rays.load(i), filter);
         hits.records ? store_record(hit, names, hits.records + i * hits.stride)
                      : store_elements(hit, names, hits.arrays, i);
     }
@@ -67,7 +68,7 @@ void occlusion(const scene::Snapshot& snapshot, const Rays& rays, const Selectio
         return occlusion_batch(snapshot, rays, filter, selection.coherence, occluded);
     check_each(rays);
     for (uint64_t i = 0; i < rays.count; ++i)
-        occluded.store(i, snapshot.kernels->occluded(snapshot.target, rays.load(i), filter));
+        occluded.store(i, trace::occluded(snapshot.world, rays.load(i), filter));
 }
 
 } // namespace peregrine::query

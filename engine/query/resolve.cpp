@@ -21,7 +21,7 @@ void check(const scene::Snapshot& snapshot, const Hit& hit, uint64_t index) {
         base::fail(base::Code::invalid_handle,
                    "hit %llu: the current snapshot has no mesh {%u, %u}", place, hit.mesh.index,
                    hit.mesh.generation);
-    const size_t count = snapshot.meshes[hit.mesh.index].data->triangles.size();
+    const size_t count = snapshot.meshes[hit.mesh.index].data->triangles().size();
     if (hit.triangle >= count)
         base::fail(base::Code::invalid_argument,
                    "hit %llu: triangle %u, but the mesh has %zu triangles", place, hit.triangle,
@@ -35,15 +35,16 @@ Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit) {
     if (is_miss(hit)) return {};
     const scene::Snapshot::Mesh& mesh = snapshot.meshes[hit.mesh.index];
     const scene::MeshData& data = *mesh.data;
-    const auto& corners = data.triangles[hit.triangle];
-    const scene::Material& material = snapshot.materials[mesh.material_of(hit.triangle)];
+    const auto& corners = data.triangles()[hit.triangle];
+    const scene::Material& material = snapshot.material_of(mesh, hit.triangle);
 
     Surface surface;
-    surface.position = blend<math::Vec3d>(data.positions, corners, hit.u, hit.v);
-    surface.geometric_normal = geometric_normal(data, hit.triangle);
-    surface.shading_normal = shading_normal(data, hit.triangle, hit.u, hit.v);
-    if (!data.texcoords.empty())
-        surface.texcoord = math::Vec2(blend<glm::dvec2>(data.texcoords, corners, hit.u, hit.v));
+    const PlacedMesh placed(snapshot, mesh);
+    surface.position = placed.position(hit.triangle, hit.u, hit.v);
+    surface.geometric_normal = placed.geometric_normal(hit.triangle);
+    surface.shading_normal = placed.shading_normal(hit.triangle, hit.u, hit.v);
+    if (!data.surface->texcoords.empty())
+        surface.texcoord = math::Vec2(blend<glm::dvec2>(data.surface->texcoords, corners, hit.u, hit.v));
     surface.material = {material.slot, material.generation};
     surface.material_user_data = material.user_data;
     surface.mesh_user_data = mesh.user_data;

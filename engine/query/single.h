@@ -3,8 +3,7 @@
 #include "query/store_hit.h"
 #include "query/valid_ray.h"
 #include "scene/snapshot.h"
-#include "trace/filter.h"
-#include "trace/kernels.h"
+#include "trace/world/single.h"
 
 // One ray that may hit anything: the short way, small enough to be part of its caller. Both throw
 // base::Error invalid_argument, as query.h says.
@@ -14,13 +13,13 @@ inline constexpr trace::Filter kEverything;
 
 inline void closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray, std::byte* place) {
     check_ray(0, ray);
-    const trace::Hit hit = snapshot.kernels->closest(snapshot.target, ray, kEverything);
+    const trace::Hit hit = trace::closest(snapshot.world, ray, kEverything);
     store_hit(hit.t, hit.u, hit.v, HitNames(snapshot).of(hit.triangle), hit.back_face, place);
 }
 
 inline bool occluded(const scene::Snapshot& snapshot, const math::Ray& ray) {
     check_ray(0, ray);
-    return snapshot.kernels->occluded(snapshot.target, ray, kEverything);
+    return trace::occluded(snapshot.world, ray, kEverything);
 }
 
 } // namespace peregrine::query

@@ -18,16 +18,16 @@ struct HitIds {
 class HitNames {
 public:
     explicit HitNames(const scene::Snapshot& snapshot)
-        : infos_(snapshot.target.infos), generations_(snapshot.generations.data()) {}
+        : world_(snapshot.world), generations_(snapshot.generations.data()) {}
 
     HitIds of(uint32_t triangle) const {
         if (triangle == geometry::kNoTriangle) return {geometry::kNoTriangle, {}};
-        const geometry::TriangleInfo info = infos_[triangle];
+        const geometry::TriangleInfo info = trace::info(world_, triangle);
         return {info.primitive, {info.mesh, generations_[info.mesh]}};
     }
 
 private:
-    const geometry::TriangleInfo* infos_;
+    const trace::World& world_;
     const uint32_t* generations_;
 };
 

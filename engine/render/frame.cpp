@@ -32,7 +32,7 @@ void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const F
     if (frame.pixels) {
         lights.reserve(snapshot.lights.size());
         for (const scene::Light& light : snapshot.lights)
-            lights.push_back(shade::prepare(light, snapshot.target.bounds));
+            lights.push_back(shade::prepare(light, snapshot.world.bounds));
     }
 
     const FrameContext context = {
@@ -58,7 +58,7 @@ void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const F
     stats->rays_primary = uint64_t(frame.width) * frame.height;
     stats->rays_shadow = 0;
     for (const Worker& worker : workers) stats->rays_shadow += worker.shadow_ray_count();
-    stats->isa = snapshot.kernels->isa;
+    stats->isa = snapshot.isa();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - begin;
     stats->frame_ms = elapsed.count();

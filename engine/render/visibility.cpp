@@ -55,12 +55,11 @@ struct TileNormals {
             } else if (triangle == flat) {
                 normal[i] = flat_normal;
             } else {
-                const geometry::TriangleInfo info = snapshot.target.infos[triangle];
-                const scene::MeshData& mesh = *snapshot.meshes[info.mesh].data;
-                const math::Vec3 n =
-                    query::shading_normal(mesh, info.primitive, hits.u[i], hits.v[i]);
+                const geometry::TriangleInfo info = trace::info(snapshot.world, triangle);
+                const query::PlacedMesh mesh(snapshot, snapshot.meshes[info.mesh]);
+                const math::Vec3 n = mesh.shading_normal(info.primitive, hits.u[i], hits.v[i]);
                 normal[i] = {{n.x, n.y, n.z}};
-                if (!mesh.normals.empty()) continue;
+                if (!mesh.is_flat()) continue;
                 flat = triangle;
                 flat_normal = normal[i];
             }

@@ -2,6 +2,7 @@
 
 #include "render/views.h"
 #include "render/visibility.h"
+#include "trace/world/stream.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +10,7 @@
 namespace peregrine::render {
 
 static_assert(kTilePadded * sizeof(float) % 64 == 0, "the kernels want aligned arrays");
-static_assert(kTileRays % shade::kBatch == 0);
+static_assert(kTileRays % shade::kBatch == 0 && kTileRays <= trace::kMaxStream);
 
 namespace {
 
@@ -69,9 +70,8 @@ void Worker::trace(const FrameContext& context) {
                                    tile_.count,
                                    trace::Coherence::common_origin};
     const bool count_steps = context.frame.view == View::steps;
-    context.snapshot.kernels->closest_stream(
-        context.shader.target, rays, context.filter,
-        {t_, u_, v_, triangle_, back_face_, count_steps ? steps_ : nullptr});
+    trace::closest(context.snapshot.world, rays, context.filter,
+                   {t_, u_, v_, triangle_, back_face_, count_steps ? steps_ : nullptr});
 }
 
 void Worker::show(const FrameContext& context, uint32_t first) {

@@ -8,4 +8,7 @@ namespace peregrine::scene {
 // Empty if it has none.
 trace::AlphaTest alpha_test(const Snapshot& snapshot);
 
+// ... of one instance, whose triangles do not say whose they are.
+trace::AlphaTest alpha_test(const InstanceAlpha& instance);
+
 } // namespace peregrine::scene

@@ -1,11 +1,18 @@
 #pragma once
 
-#include "scene/snapshot.h"
+#include "scene/geometry.h"
+#include "scene/material_set.h"
+#include "scene/mesh.h"
+
+#include <cstdint>
 
 namespace peregrine::scene {
 
-// The triangles of all meshes of a snapshot whose meshes and materials are filled in, in order of
-// (mesh, primitive), without those that are degenerate or not finite, which are counted.
-void collect_triangles(const Snapshot& snapshot, Geometry& geometry);
+inline constexpr uint64_t kMostTriangles = uint64_t(1) << 27; // under one structure
+
+// The triangles of a mesh, in order, as those of slot `slot`, without those that are degenerate or
+// not finite, which are counted.
+void collect_triangles(const MeshData& data, const MeshMaterials& shown,
+                       const MaterialSet& materials, uint32_t slot, Geometry& geometry);
 
 } // namespace peregrine::scene

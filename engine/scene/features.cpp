@@ -1,9 +1,9 @@
 #include "scene/features.h"
 
-#include "scene/snapshot.h"
+#include "scene/light.h"
+#include "scene/material.h"
 
 namespace peregrine::scene {
-namespace {
 
 uint32_t features_of(const Material& material) {
     uint32_t features = material.masked ? uint32_t(kAlphaMask) : 0;
@@ -16,20 +16,8 @@ uint32_t features_of(const Material& material) {
     return features;
 }
 
-} // namespace
-
-uint32_t features_of(const Snapshot& snapshot) {
-    uint32_t features = 0;
-    for (const Snapshot::Mesh& mesh : snapshot.meshes) {
-        if (!mesh.data) continue;
-        if (mesh.dynamic) features |= kDynamicMeshes;
-        if (mesh.materials.empty()) features |= features_of(snapshot.materials[mesh.material]);
-        for (const uint32_t material : mesh.materials)
-            features |= features_of(snapshot.materials[material]);
-    }
-    for (const Light& light : snapshot.lights)
-        features |= kLights | (light.casts_shadow ? uint32_t(kShadows) : 0);
-    return features;
+uint32_t features_of(const Light& light) {
+    return kLights | (light.casts_shadow ? uint32_t(kShadows) : 0);
 }
 
 } // namespace peregrine::scene

@@ -4,9 +4,11 @@
 
 namespace peregrine::scene {
 
-struct Snapshot;
+struct Light;
+struct Material;
 
-// What a scene has, counted at commit. What it has not is skipped whole (promise 3). The values are
+// What a scene has, counted at commit: of the materials that meshes show, not of those that are
+// merely described. What it has not is skipped whole (promise 3). The values are
 // those of RT_FEATURE_*.
 enum Feature : uint32_t {
     kTextures = 1u << 0,
@@ -21,7 +23,7 @@ enum Feature : uint32_t {
     kAllFeatures = (1u << 9) - 1,
 };
 
-// Of the materials that meshes show, not of those that are merely described.
-uint32_t features_of(const Snapshot& snapshot);
+uint32_t features_of(const Material& material);
+uint32_t features_of(const Light& light);
 
 } // namespace peregrine::scene

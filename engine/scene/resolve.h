@@ -4,8 +4,12 @@
 
 namespace peregrine::scene {
 
-// Copies what `scene` describes into a new snapshot, with handles resolved to places in it. Throws
-// base::Error invalid_argument if a material names a texture that was removed.
-void resolve(Scene& scene, Snapshot& snapshot);
+// Copies the materials that `scene` describes, with handles resolved to places. Throws base::Error
+// invalid_argument if a material names a texture that was removed.
+std::shared_ptr<const MaterialSet> resolve_materials(Scene& scene);
+
+// What a mesh shows of them. A material that was removed shows as the default one.
+std::shared_ptr<const MeshMaterials> resolve_materials(Scene& scene, const MaterialSet& set,
+                                                       const MeshSurface& surface);
 
 } // namespace peregrine::scene

@@ -1,8 +1,11 @@
 #include "scene/scene.h"
 
 #include "base/error.h"
+#include "scene/commit.h"
+#include "scene/draft.h"
 
 #include <atomic>
+#include <chrono>
 
 namespace peregrine::scene {
 namespace {
@@ -20,11 +23,33 @@ Scene::Scene(const SceneOptions& options)
       scheduler(options.worker_count, options.host_scheduler, &memory),
       textures(first_generation_, &memory), materials(first_generation_, &memory),
       meshes(first_generation_, &memory), lights(first_generation_, &memory), snapshots(&memory),
-      isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa) {
+      isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa), extents_(&memory),
+      order_(&memory) {
     if (!base::machine_has(isa_))
         base::fail(base::Code::unsupported,
                    "this machine or build lacks the instruction set %u that the scene asks for",
                    unsigned(options.isa));
+}
+
+CommitReport Scene::commit(const CommitOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    snapshots.reserve();
+    Draft draft(snapshots);
+    Commit commit(*this, options, *draft);
+    commit.prepare();
+    CommitReport report = commit.report();
+    commit.remember();
+    draft.publish();
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    report.commit_ms = elapsed.count();
+    return report;
+}
+
+void Scene::touch_flags() {
+    touch_triangles(MeshKind::fixed);
+    touch_triangles(MeshKind::deforming);
+    ++flags_version_;
 }
 
 } // namespace peregrine::scene

@@ -19,12 +19,29 @@ namespace peregrine::scene {
 
 using base::Handle;
 
+// The triangles of a rigid mesh in its own space, built by the first commit that shows them and
+// shared by its instances.
+struct Shape {
+    std::shared_ptr<const Geometry> geometry; // null: yet to be built
+    uint64_t flags_version = 0;               // Scene::flags_version_ that it was built with
+    uint64_t counted_by = 0;                  // the last commit whose report counts it
+};
+
 // What the host described. Changing it changes no snapshot until the next commit.
 struct MeshDescription {
     std::shared_ptr<const MeshData> data;
     uint32_t layer_mask = ~0u;
-    bool dynamic = false;
+    MeshKind kind = MeshKind::fixed;
     uint64_t user_data = 0;
+    bool hidden = false;
+    std::shared_ptr<Shape> shape = {}; // of a rigid mesh, and where it stands
+    Placement placement = {};
+
+    // What commits found out and keep until it changes.
+    std::shared_ptr<const MeshMaterials> materials = {};
+    uint64_t materials_version = 0;
+    accel::instances::Extent extent = {}; // of a rigid mesh
+    bool extent_is_known = false;
 };
 
 // A material whose textures are still handles: commit resolves them.
@@ -35,7 +52,7 @@ struct MaterialDescription {
     Handle emissive_texture;
 };
 
-// How to build the structure over the triangles.
+// How to build the structure over the fixed meshes.
 struct BuildChoice {
     trace::Structure structure = trace::Structure::bvh;
     accel::bvh::Quality quality = accel::bvh::Quality::balanced;
@@ -50,13 +67,20 @@ struct CommitOptions {
 };
 
 struct CommitReport {
-    std::shared_ptr<const Geometry> geometry; // for its tree's report
+    std::shared_ptr<const Geometry> fixed; // for their trees' reports
+    std::shared_ptr<const Geometry> deforming;
     BuildChoice build;
     uint32_t features = 0;
+    uint64_t shape_triangles = 0; // of rigid meshes; instances of one count once, here and below
+    uint64_t shape_bytes = 0;     // of their triangles and nodes
+    uint64_t degenerate_count = 0; // of all kinds
+    uint64_t non_finite_count = 0;
     uint64_t bytes_attributes = 0;
     uint64_t bytes_textures = 0;
+    uint32_t instance_count = 0;
     uint32_t light_count = 0;
-    bool rebuilt = false;
+    bool fixed_rebuilt = false;
+    bool deforming_rebuilt = false;
     double commit_ms = 0;
 };
 
@@ -87,23 +111,34 @@ public:
     Environment environment;
     SnapshotStore snapshots;
 
-    // To be called when a mesh was added, removed or updated, or when a material became masked or
-    // double-sided or ceased to be: the next commit rebuilds the structure.
-    void touch_geometry() { geometry_changed_ = true; }
+    // To be called when triangles of a kind of meshes came, went or moved: the next commit builds
+    // their structure anew. (Rigid meshes have theirs, wherever they stand.)
+    void touch_triangles(MeshKind kind) { changed_[uint32_t(kind)] = true; }
+    // ... when a material or a texture changed in any way.
+    void touch_materials() { ++materials_version_; }
+    // ... when a material became masked or double-sided or ceased to be: triangles say so too.
+    void touch_flags();
 
     CommitReport commit(const CommitOptions& options);
     uint64_t version() const { return version_; }
     base::Isa isa() const { return isa_; }
 
 private:
-    std::shared_ptr<const Geometry> current_geometry(const Snapshot& snapshot,
-                                                     const CommitOptions& options);
+    friend class Commit;
+    using Extents = base::Vector<accel::instances::Extent>;
 
     base::Isa isa_; // never `best`
-    std::shared_ptr<const Geometry> geometry_;
-    BuildChoice geometry_build_;
-    bool geometry_changed_ = true;
+    std::shared_ptr<const Geometry> fixed_;
+    std::shared_ptr<const Geometry> deforming_;
+    std::shared_ptr<const MaterialSet> material_set_;
+    BuildChoice fixed_build_;
+    bool changed_[3] = {true, true, true}; // by MeshKind
+    uint64_t materials_version_ = 1;
+    uint64_t material_set_version_ = 0; // of materials_version_ that material_set_ shows
+    uint64_t flags_version_ = 1;
     uint64_t version_ = 0;
+    Extents extents_; // room for commits to work in
+    base::Vector<uint32_t> order_;
 };
 
 } // namespace peregrine::scene

@@ -1,90 +1,78 @@
 #pragma once
 
-#include "accel/bih/tree.h"
-#include "accel/bvh/tree.h"
-#include "accel/kdtree/tree.h"
 #include "base/memory.h"
-#include "geometry/triangle.h"
+#include "math/affine.h"
 #include "scene/features.h"
+#include "scene/geometry.h"
 #include "scene/light.h"
-#include "scene/material.h"
+#include "scene/material_set.h"
 #include "scene/mesh.h"
-#include "scene/texture.h"
-#include "trace/kernels.h"
+#include "trace/world/world.h"
 
 #include <cstdint>
 #include <memory>
+#include <span>
 
 namespace peregrine::scene {
 
-// The triangles of all meshes and the structure over them; shared by snapshots between which no
-// mesh changed.
-struct Geometry {
-    explicit Geometry(base::Memory* memory)
-        : infos(memory), triangles(memory), bvh(memory), kdtree(memory), bih(memory) {}
+struct Snapshot;
 
-    trace::Structure structure = trace::Structure::bvh;
-    base::Vector<geometry::TriangleInfo> infos;
-    base::Vector<geometry::Triangle> triangles; // empty once a BVH has its own copy
-    accel::bvh::Tree bvh;
-    accel::kdtree::Tree kdtree;
-    accel::bih::Tree bih;
-    uint64_t degenerate_count = 0;
-    uint64_t non_finite_count = 0;
+// Where a rigid mesh stands.
+struct Placement {
+    math::Affine to_world;
+    math::Affine to_local;
+    double condition = 1; // the product of their norms: how much errors may grow
+    bool mirrored = false;
+};
 
-    trace::Target target() const {
-        return {infos.data(),         bounds(),
-                bvh.nodes.data(),     bvh.blocks.data(),
-                kdtree.nodes.data(),  kdtree.references.data(),
-                triangles.data(),     bih.nodes.data(),
-                bih.references.data()};
-    }
-
-private:
-    const math::Box& bounds() const {
-        switch (structure) {
-        case trace::Structure::kdtree:
-            return kdtree.bounds;
-        case trace::Structure::bih:
-            return bih.bounds;
-        default:
-            return bvh.bounds;
-        }
-    }
+// Whose alpha an instance's test asks about.
+struct InstanceAlpha {
+    const Snapshot* snapshot;
+    uint32_t mesh; // slot
 };
 
 // A frozen world: what queries and frames read. Never changes after its commit.
 struct Snapshot {
     struct Mesh {
         std::shared_ptr<const MeshData> data; // null: the slot is free
-        base::Vector<uint32_t> materials; // per triangle: index in Snapshot::materials; or empty
-        uint32_t material = 0;            // of all triangles if `materials` is empty
+        std::shared_ptr<const MeshMaterials> materials;
+        std::shared_ptr<const Geometry> shape; // of a rigid mesh, in its own space
+        uint32_t placement = kNotPlaced;       // of a rigid mesh: index in `placements`
         uint32_t generation = 0;
-        uint32_t layer_mask = ~0u;
-        bool dynamic = false;
         uint64_t user_data = 0;
 
-        uint32_t material_of(uint32_t primitive) const {
-            return materials.empty() ? material : materials[primitive];
-        }
+        static constexpr uint32_t kNotPlaced = ~0u;
     };
 
     explicit Snapshot(base::Memory* memory)
-        : meshes(memory), layer_masks(memory), generations(memory), materials(memory),
-          textures(memory), lights(memory) {}
+        : meshes(memory), layer_masks(memory), generations(memory), lights(memory),
+          placements(memory), instances(memory), instance_nodes(memory),
+          instance_alphas(memory) {}
 
-    std::shared_ptr<const Geometry> geometry;
-    trace::Target target{};                                // into `geometry`
-    base::Vector<Mesh> meshes;                             // by slot
-    base::Vector<uint32_t> layer_masks;                    // by slot, for the kernels
-    base::Vector<uint32_t> generations;                    // by slot, for hits
-    base::Vector<Material> materials;                      // 0 is the default material
-    base::Vector<std::shared_ptr<const Texture>> textures; // keeps those of the materials alive
+    const Material& material_of(const Mesh& mesh, uint32_t primitive) const {
+        return material_set->materials[mesh.materials->of(primitive)];
+    }
+    // Null: its vertices are where they are.
+    const Placement* placement_of(const Mesh& mesh) const {
+        return mesh.placement == Mesh::kNotPlaced ? nullptr : &placements[mesh.placement];
+    }
+    base::Isa isa() const { return world.fixed.kernels->isa; }
+
+    std::shared_ptr<const Geometry> fixed; // of all fixed meshes, and ...
+    std::shared_ptr<const Geometry> deforming;
+    std::shared_ptr<const MaterialSet> material_set;
+    trace::World world;                 // into these and the shapes of the meshes
+    base::Vector<Mesh> meshes;          // by slot
+    base::Vector<uint32_t> layer_masks; // by slot, for the kernels
+    base::Vector<uint32_t> generations; // by slot, for hits
     base::Vector<Light> lights;
+    base::Vector<Placement> placements;
+    base::Vector<trace::Instance> instances; // of rigid meshes that are not hidden
+    base::Vector<accel::instances::Node> instance_nodes;
+    base::Vector<InstanceAlpha> instance_alphas; // beside `instances`; empty if nothing is masked
     Environment environment;
     uint32_t features = 0; // Feature bits that the scene has
     uint64_t version = 0;
-    const trace::Kernels* kernels = nullptr;
 };
 
 } // namespace peregrine::scene

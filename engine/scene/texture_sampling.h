@@ -90,14 +90,15 @@ inline math::Vec2 transform(const TextureUse& use, const math::Vec2& uv) {
 
 // The texture coordinates of a vertex; (0, 0) if the mesh has none in this set.
 inline math::Vec2 vertex_texcoord(const MeshData& mesh, uint32_t vertex, uint32_t set) {
-    const base::Vector<math::Vec2>& texcoords = set == 0 ? mesh.texcoords : mesh.texcoords1;
+    const base::Vector<math::Vec2>& texcoords = 
+        set == 0 ? mesh.surface->texcoords : mesh.surface->texcoords1;
     return texcoords.empty() ? math::Vec2(0) : texcoords[vertex];
 }
 
 // ... and inside a triangle, at barycentrics (u, v).
 inline math::Vec2 texcoord_at(const MeshData& mesh, uint32_t primitive, uint32_t set, float u,
                               float v) {
-    const std::array<uint32_t, 3>& vertices = mesh.triangles[primitive];
+    const std::array<uint32_t, 3>& vertices = mesh.triangles()[primitive];
     return vertex_texcoord(mesh, vertices[0], set) * (1.0f - u - v)
            + vertex_texcoord(mesh, vertices[1], set) * u
            + vertex_texcoord(mesh, vertices[2], set) * v;

@@ -2,6 +2,7 @@
 
 #include "scene/alpha_test.h"
 #include "shade/triangle_shading.h"
+#include "trace/world/stream.h"
 
 #include <algorithm>
 #include <bit>
@@ -20,11 +21,10 @@ Shader Shader::prepare(const scene::Snapshot& snapshot, uint32_t features, bool 
                        std::span<const PreparedLight> lights) {
     Shader shader{};
     shader.snapshot = &snapshot;
-    shader.kernels = &shade::kernels(snapshot.kernels->isa);
+    shader.kernels = &shade::kernels(snapshot.isa());
     shader.lights = lights;
-    shader.target = snapshot.target;
     shader.shadow_filter.alpha = scene::alpha_test(snapshot);
-    shader.intersection_error = shade::intersection_error(shader.target.bounds);
+    shader.intersection_error = shade::intersection_error(snapshot.world.bounds);
     shader.features = features;
     shader.shadows = shadows;
     return shader;
@@ -78,7 +78,7 @@ bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count, Scrat
         rays.t_max = scratch.ones;
         rays.coherence = trace::Coherence::common_origin;
     }
-    snapshot->kernels->occluded_stream(target, rays, shadow_filter, scratch.occluded);
+    trace::occluded(snapshot->world, rays, shadow_filter, scratch.occluded);
     uint32_t hidden = 0;
     for (uint32_t k = 0; k < ray_count; ++k) {
         // Without a branch: shadow edges are unpredictable.

@@ -34,7 +34,6 @@ struct Shader {
     const scene::Snapshot* snapshot;
     const Kernels* kernels;
     std::span<const PreparedLight> lights;
-    trace::Target target;
     trace::Filter shadow_filter;
     float intersection_error;
     uint32_t features; // to look at; may be fewer than the snapshot has

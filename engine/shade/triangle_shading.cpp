@@ -42,6 +42,18 @@ TextureOnTriangle place(const scene::TextureUse& use, const scene::MeshData& mes
     return placed;
 }
 
+// From the mesh's own space into the world. Normals go by the inverse transpose, which keeps them
+// on their side even if it mirrors.
+void place(const scene::Placement& placement, TriangleShading& out) {
+    for (Vec3& vertex : out.vertex) vertex = Vec3(placement.to_world.point(math::Vec3d(vertex)));
+    if (!out.smooth) return;
+    for (Vec3& normal : out.normal) {
+        const math::Vec3d turned = placement.to_local.transposed(math::Vec3d(normal));
+        const double length = std::sqrt(glm::dot(turned, turned));
+        normal = length > 0 ? Vec3(turned / length) : Vec3(0);
+    }
+}
+
 // The directions in which u grows and v falls: +Y of a normal map is up in the image, whose row 0
 // is at v = 0. Without usable coordinates any tangent will do.
 void derive_tangents(TriangleShading& out, const Vec3& front) {
@@ -78,19 +90,25 @@ float intersection_error(const math::Box& bounds) {
 
 void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangle_index,
             bool back_face, float intersection_error, TriangleShading& out) {
-    const geometry::TriangleInfo& triangle = snapshot.target.infos[triangle_index];
+    const geometry::TriangleInfo triangle = trace::info(snapshot.world, triangle_index);
     const scene::Snapshot::Mesh& slot = snapshot.meshes[triangle.mesh];
     const scene::MeshData& mesh = *slot.data;
-    const std::array<uint32_t, 3>& vertices = mesh.triangles[triangle.primitive];
-    const scene::Material& material = snapshot.materials[slot.material_of(triangle.primitive)];
+    const std::array<uint32_t, 3>& vertices = mesh.triangles()[triangle.primitive];
+    const scene::Material& material = snapshot.material_of(slot, triangle.primitive);
     out.material = &material;
     for (uint32_t k = 0; k < 3; ++k) out.vertex[k] = mesh.positions[vertices[k]];
-    const Vec3 front = unit_normal(out.vertex);
-    out.geometric = back_face ? -front : front;
-    out.lift = surface_lift(out.vertex, out.geometric, intersection_error);
     out.smooth = !mesh.normals.empty();
     if (out.smooth)
         for (uint32_t k = 0; k < 3; ++k) out.normal[k] = mesh.normals[vertices[k]];
+    const scene::Placement* const placement = snapshot.placement_of(slot);
+    if (placement) {
+        place(*placement, out);
+        intersection_error *= float(placement->condition);
+    }
+    Vec3 front = unit_normal(out.vertex);
+    if (placement && placement->mirrored) front = -front;
+    out.geometric = back_face ? -front : front;
+    out.lift = surface_lift(out.vertex, out.geometric, intersection_error);
     if ((features & scene::kSpecular) && out.shininess != material.shininess) {
         out.shininess = material.shininess;
         out.highlight_gain = highlight_gain(material.shininess);
@@ -101,7 +119,13 @@ void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangl
         out.emissive = place(material.emissive_texture, mesh, vertices);
     if (!(features & scene::kNormalMaps)) return;
     out.normal_map = place(material.normal_texture, mesh, vertices);
-    if (out.normal_map.texture) gather_tangents(mesh, vertices, front, out);
+    if (!out.normal_map.texture) return;
+    gather_tangents(mesh, vertices, front, out);
+    if (!placement) return;
+    if (!mesh.tangents.empty())
+        for (Vec3& tangent : out.tangent)
+            tangent = Vec3(placement->to_world.vector(math::Vec3d(tangent)));
+    if (placement->mirrored) out.handedness = -out.handedness;
 }
 
 } // namespace peregrine::shade

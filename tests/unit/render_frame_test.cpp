@@ -86,16 +86,16 @@ void furnish(RenderScene& world) {
         for (int j = 0; j <= 16; ++j) {
             const float a = float(i) * 0.19635f, b = float(j) * 0.3927f;
             const Vec3 n(std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b));
-            ball->positions.push_back(Vec3(-2.5f, 0.2f, -6) + n);
-            ball->normals.push_back(n);
+            ball.data->positions.push_back(Vec3(-2.5f, 0.2f, -6) + n);
+            ball.data->normals.push_back(n);
         }
     for (uint32_t i = 0; i < 16; ++i)
         for (uint32_t j = 0; j < 16; ++j) {
             const uint32_t k = i * 17 + j;
-            ball->triangles.push_back({k, k + 1, k + 18});
-            ball->triangles.push_back({k, k + 18, k + 17});
+            ball.surface->triangles.push_back({k, k + 1, k + 18});
+            ball.surface->triangles.push_back({k, k + 18, k + 17});
         }
-    world.scene.meshes.insert({ball});
+    world.scene.meshes.insert({ball.data});
 
     scene::Light light;
     light.position = {1, 3, -2};

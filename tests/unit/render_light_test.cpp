@@ -220,11 +220,11 @@ TEST(NormalMap, LeansAsTheImageSays) {
             const base::Handle map = world.add_texture(1, 1, {0.8f, 0.9f, 0.5f, 1});
             const auto mesh = world.make_mesh(world.add(matt(), {}, map));
             // v grows downward in the image: its top edge is at -z.
-            mesh->positions = {{-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}};
-            mesh->texcoords = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-            mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
-            if (with_tangents) mesh->tangents.assign(4, math::Vec4(1, 0, 0, 1));
-            world.scene.meshes.insert({mesh});
+            mesh.data->positions = {{-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}};
+            mesh.surface->texcoords = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+            mesh.surface->triangles = {{0, 1, 2}, {0, 2, 3}};
+            if (with_tangents) mesh.data->tangents.assign(4, math::Vec4(1, 0, 0, 1));
+            world.scene.meshes.insert({mesh.data});
             Frame frame = test::float_frame(16, 16);
             frame.view = View::normals;
             const double side = from_behind ? -1 : 1;
@@ -261,16 +261,16 @@ TEST(Terminator, FadesOutWithoutSpeckles) {
         for (int j = 0; j <= 12; ++j) {
             const float a = float(i) * 0.261799f, b = float(j) * 0.523599f;
             const Vec3 n(std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b));
-            ball->positions.push_back(n);
-            ball->normals.push_back(n);
+            ball.data->positions.push_back(n);
+            ball.data->normals.push_back(n);
         }
     for (uint32_t i = 0; i < 12; ++i)
         for (uint32_t j = 0; j < 12; ++j) {
             const uint32_t k = i * 13 + j;
-            ball->triangles.push_back({k, k + 14, k + 1});
-            ball->triangles.push_back({k, k + 13, k + 14});
+            ball.surface->triangles.push_back({k, k + 14, k + 1});
+            ball.surface->triangles.push_back({k, k + 13, k + 14});
         }
-    world.scene.meshes.insert({ball});
+    world.scene.meshes.insert({ball.data});
     scene::Light sun;
     sun.type = scene::LightType::directional;
     sun.direction = {-1, 0, 0};

@@ -35,28 +35,33 @@ public:
         return scene.textures.insert(texture);
     }
 
-    std::shared_ptr<scene::MeshData> make_mesh(base::Handle material) {
-        auto mesh = std::make_shared<scene::MeshData>(&scene.memory);
-        mesh->material = {material.index, material.generation};
-        return mesh;
+    // A mesh that is still to be filled.
+    struct OpenMesh {
+        std::shared_ptr<scene::MeshSurface> surface;
+        std::shared_ptr<scene::MeshData> data;
+    };
+    OpenMesh make_mesh(base::Handle material) {
+        const auto surface = std::make_shared<scene::MeshSurface>(&scene.memory);
+        surface->material = {material.index, material.generation};
+        return {surface, std::make_shared<scene::MeshData>(surface, &scene.memory)};
     }
 
     // Corners counter-clockwise; texture coordinates (0,0), (1,0), (1,1), (0,1).
     void add_quad(const math::Vec3& a, const math::Vec3& b, const math::Vec3& c,
                   const math::Vec3& d, base::Handle material) {
         const auto mesh = make_mesh(material);
-        mesh->positions = {a, b, c, d};
-        mesh->texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-        mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
-        scene.meshes.insert({mesh});
+        mesh.data->positions = {a, b, c, d};
+        mesh.surface->texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        mesh.surface->triangles = {{0, 1, 2}, {0, 2, 3}};
+        scene.meshes.insert({mesh.data});
     }
 
     void add_triangle(const math::Vec3& a, const math::Vec3& b, const math::Vec3& c,
                       base::Handle material) {
         const auto mesh = make_mesh(material);
-        mesh->positions = {a, b, c};
-        mesh->triangles = {{0, 1, 2}};
-        scene.meshes.insert({mesh});
+        mesh.data->positions = {a, b, c};
+        mesh.surface->triangles = {{0, 1, 2}};
+        scene.meshes.insert({mesh.data});
     }
 
     void add(const scene::Light& light) { scene.lights.insert(light); }

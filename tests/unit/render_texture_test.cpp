@@ -1,5 +1,6 @@
 #include "render_scene.h"
 #include "scene/texture_sampling.h"
+#include "trace/world/single.h"
 
 #include <cstring>
 
@@ -56,9 +57,9 @@ void expect_same_as_sample(Wrap wrap_u, Wrap wrap_v, Sampling sampling, Texture:
     for (uint32_t y = 0; y < 47; ++y)
         for (uint32_t x = 0; x < 61; ++x) {
             const trace::Hit hit =
-                snapshot.kernels->closest(snapshot.target, pinhole.primary(x, y), {});
-            const auto& triangle = snapshot.target.infos[hit.triangle];
-            const auto& vertices = snapshot.meshes[0].data->triangles[triangle.primitive];
+                trace::closest(snapshot.world, pinhole.primary(x, y), {});
+            const auto& triangle = snapshot.world.fixed.target.infos[hit.triangle];
+            const auto& vertices = snapshot.meshes[0].data->triangles()[triangle.primitive];
             Vec2 uv[3];
             for (uint32_t k = 0; k < 3; ++k)
                 uv[k] = scene::transform(material.emissive_texture, corners[vertices[k]]);
@@ -84,11 +85,11 @@ TEST(Textures, UseTheSecondSetOfCoordinatesWhenAsked) {
     material.emissive = Vec3(1);
     material.emissive_texture.texcoord_set = 1;
     const auto mesh = world.make_mesh(world.add(material, {}, {}, texture));
-    mesh->positions = {{-9, -9, -5}, {9, -9, -5}, {0, 9, -5}};
-    mesh->texcoords = {{0.2f, 0}, {0.2f, 0}, {0.2f, 0}};
-    mesh->texcoords1 = {{0.8f, 0}, {0.8f, 0}, {0.8f, 0}};
-    mesh->triangles = {{0, 1, 2}};
-    world.scene.meshes.insert({mesh});
+    mesh.data->positions = {{-9, -9, -5}, {9, -9, -5}, {0, 9, -5}};
+    mesh.surface->texcoords = {{0.2f, 0}, {0.2f, 0}, {0.2f, 0}};
+    mesh.surface->texcoords1 = {{0.8f, 0}, {0.8f, 0}, {0.8f, 0}};
+    mesh.surface->triangles = {{0, 1, 2}};
+    world.scene.meshes.insert({mesh.data});
     EXPECT_EQ(test::take_picture(world, Camera{}, 9, 9).at(4, 4), Vec3(0, 1, 0));
 }
 

@@ -328,7 +328,9 @@ static inline rt_mesh_desc rt_default_mesh_desc(void) {
 RT_EXPORT rt_result rt_add_static_mesh(rt_scene scene, const rt_mesh_desc* desc,
                                        rt_mesh* out_mesh) RT_NOEXCEPT;
 
-/* Adds a mesh whose vertices will move (rt_update_dynamic_mesh). Errors as above. */
+/* Adds a mesh whose vertices will move (rt_update_dynamic_mesh): a character, a flag. All of them
+ * share one structure, which a commit builds anew if any of them changed, in a time that depends on
+ * their triangles alone. Errors as above. */
 RT_EXPORT rt_result rt_add_dynamic_mesh(rt_scene scene, const rt_mesh_desc* desc,
                                         rt_mesh* out_mesh) RT_NOEXCEPT;
 
@@ -351,6 +353,49 @@ static inline rt_mesh_update rt_default_mesh_update(void) {
 
 RT_EXPORT rt_result rt_update_dynamic_mesh(rt_scene scene, rt_mesh mesh,
                                            const rt_mesh_update* update) RT_NOEXCEPT;
+
+/* Adds a mesh that moves as a whole (rt_set_mesh_transform): a door, a crate, a gun. Its structure is
+ * built once, by the next commit; moving it costs the same for ten triangles as for a million.
+ * It stands where its vertices are until it is moved. Errors as above. */
+RT_EXPORT rt_result rt_add_rigid_mesh(rt_scene scene, const rt_mesh_desc* desc,
+                                      rt_mesh* out_mesh) RT_NOEXCEPT;
+
+/* Adds another mesh with the shape of a rigid one, and shares its memory. It starts with the
+ * transform, layer mask and user data of that mesh, and from then on is a mesh of its own, in hits
+ * too; either may be removed first. Errors: INVALID_HANDLE, INVALID_ARGUMENT (not a rigid mesh),
+ * OUT_OF_MEMORY. */
+RT_EXPORT rt_result rt_add_mesh_instance(rt_scene scene, rt_mesh mesh,
+                                         rt_mesh* out_mesh) RT_NOEXCEPT;
+
+/* Where a mesh stands: p' = (m[0] x + m[1] y + m[2] z + m[3],
+ *                            m[4] x + m[5] y + m[6] z + m[7],
+ *                            m[8] x + m[9] y + m[10] z + m[11]), any invertible affine map.
+ * Rays are taken to the mesh's own space and rounded to float there, so a mesh keeps its precision
+ * wherever it stands. Front faces stay front faces under a mirroring map. */
+typedef struct rt_transform {
+    double m[12];
+} rt_transform;
+
+static inline rt_transform rt_default_transform(void) {
+    rt_transform transform;
+    memset(&transform, 0, sizeof transform);
+    transform.m[0] = transform.m[5] = transform.m[10] = 1.0;
+    return transform;
+}
+
+/* Seen by queries and frames after the next commit. Errors: INVALID_HANDLE, INVALID_ARGUMENT (not a
+ * rigid mesh; an element that is not finite or beyond 1e30; a map that has no inverse or stretches
+ * one direction 1e9 times as much as another). */
+RT_EXPORT rt_result rt_set_mesh_transform(rt_scene scene, rt_mesh mesh,
+                                          const rt_transform* transform) RT_NOEXCEPT;
+
+/* Replaces rt_mesh_desc.layer_mask. Any kind of mesh; seen after the next commit. */
+RT_EXPORT rt_result rt_set_mesh_layer_mask(rt_scene scene, rt_mesh mesh,
+                                           uint32_t layer_mask) RT_NOEXCEPT;
+
+/* A hidden mesh (1) is in no query and no frame from the next commit on, until it is shown (0)
+ * again. Hiding or showing a static mesh makes the next commit build the static structure anew. */
+RT_EXPORT rt_result rt_set_mesh_hidden(rt_scene scene, rt_mesh mesh, uint32_t hidden) RT_NOEXCEPT;
 
 /* The handle is stale at once; the snapshot shows the mesh until the next commit. */
 RT_EXPORT rt_result rt_remove_mesh(rt_scene scene, rt_mesh mesh) RT_NOEXCEPT;
@@ -467,11 +512,11 @@ enum {
 typedef struct rt_commit_report {
     uint32_t struct_size;
     uint32_t left_out;         /* RT_FEATURE_* */
-    uint64_t triangle_count;   /* in the snapshot */
+    uint64_t triangle_count;   /* in the snapshot; those of a rigid mesh and its instances once */
     uint64_t degenerate_count; /* left out: without area */
     uint64_t non_finite_count; /* left out: a vertex not finite or beyond 1e30 */
-    uint64_t bytes_triangles;  /* the records that rays are tested against */
-    uint64_t bytes_nodes;      /* the tree */
+    uint64_t bytes_triangles;  /* the records that rays are tested against, of all meshes */
+    uint64_t bytes_nodes;      /* the tree of the static meshes, as are all tree_* below */
     uint64_t bytes_references; /* the tree's leaves */
     uint64_t bytes_attributes; /* positions, normals, texcoords, tangents, indices, materials */
     uint64_t bytes_textures;
@@ -485,9 +530,14 @@ typedef struct rt_commit_report {
     double build_ms;           /* wall time of the structure alone */
     double commit_ms;          /* wall time of the whole call */
     uint32_t light_count;
-    uint32_t rebuilt;         /* 0: the geometry had not changed and its structure was kept */
-    rt_structure structure;   /* that was built; never AUTO */
+    uint32_t rebuilt;         /* 0: no static mesh had changed and their structure was kept */
+    rt_structure structure;   /* of the static meshes; never AUTO */
     rt_build_quality quality; /* as asked for */
+    uint64_t dynamic_triangle_count; /* of triangle_count: of dynamic meshes ... */
+    uint64_t rigid_triangle_count;   /* ... and of rigid ones */
+    uint32_t instance_count;         /* rigid meshes and instances that are not hidden */
+    uint32_t dynamic_rebuilt;        /* 1: a dynamic mesh had changed */
+    double dynamic_build_ms;         /* wall time of their structure alone, whenever it was built */
 } rt_commit_report;
 
 static inline rt_commit_report rt_default_commit_report(void) {
@@ -816,6 +866,11 @@ typedef struct rt_api {
     rt_result (*render_frame)(rt_scene scene, const rt_camera* camera, const rt_frame_desc* frame,
                               rt_frame_stats* out_stats);
     rt_result (*get_scene_stats)(rt_scene scene, rt_scene_stats* out_stats);
+    rt_result (*add_rigid_mesh)(rt_scene scene, const rt_mesh_desc* desc, rt_mesh* out_mesh);
+    rt_result (*add_mesh_instance)(rt_scene scene, rt_mesh mesh, rt_mesh* out_mesh);
+    rt_result (*set_mesh_transform)(rt_scene scene, rt_mesh mesh, const rt_transform* transform);
+    rt_result (*set_mesh_layer_mask)(rt_scene scene, rt_mesh mesh, uint32_t layer_mask);
+    rt_result (*set_mesh_hidden)(rt_scene scene, rt_mesh mesh, uint32_t hidden);
 } rt_api;
 
 /* The table for hosts that load the library by hand; look this one symbol up. `version` is the

@@ -1,0 +1,60 @@
+#include "scene/commit.h"
+
+namespace peregrine::scene {
+namespace {
+
+template <class T>
+uint64_t bytes_of(const base::Vector<T>& vector) {
+    return vector.size() * sizeof(T);
+}
+
+uint64_t attribute_bytes(const MeshData& data) {
+    const MeshSurface& surface = *data.surface;
+    return bytes_of(data.positions) + bytes_of(data.normals) + bytes_of(data.tangents)
+           + bytes_of(surface.texcoords) + bytes_of(surface.texcoords1)
+           + bytes_of(surface.triangles) + bytes_of(surface.materials);
+}
+
+uint64_t texture_bytes(const MaterialSet& set) {
+    uint64_t bytes = 0;
+    for (const auto& texture : set.textures) bytes += bytes_of(texture->texels);
+    return bytes;
+}
+
+} // namespace
+
+CommitReport Commit::report() {
+    CommitReport report;
+    report.fixed = snapshot_.fixed;
+    report.deforming = snapshot_.deforming;
+    report.build = options_.build;
+    report.features = snapshot_.features;
+    report.bytes_textures = texture_bytes(*snapshot_.material_set);
+    report.instance_count = snapshot_.world.instance_count;
+    report.light_count = uint32_t(snapshot_.lights.size());
+    report.fixed_rebuilt = snapshot_.fixed != scene_.fixed_;
+    report.deforming_rebuilt = snapshot_.deforming != scene_.deforming_;
+    report.degenerate_count = report.fixed->degenerate_count + report.deforming->degenerate_count;
+    report.non_finite_count = report.fixed->non_finite_count + report.deforming->non_finite_count;
+    for (auto& slot : scene_.meshes.slots())
+        if (slot.object) count(*slot.object, report);
+    return report;
+}
+
+// Instances share everything but their materials' places.
+void Commit::count(const MeshDescription& mesh, CommitReport& report) const {
+    report.bytes_attributes += bytes_of(mesh.materials->each);
+    if (mesh.shape) {
+        if (mesh.shape->counted_by == snapshot_.version) return;
+        mesh.shape->counted_by = snapshot_.version;
+        const Geometry& shape = *mesh.shape->geometry;
+        report.shape_triangles += shape.infos.size();
+        report.shape_bytes +=
+            bytes_of(shape.infos) + bytes_of(shape.bvh.nodes) + bytes_of(shape.bvh.blocks);
+        report.degenerate_count += shape.degenerate_count;
+        report.non_finite_count += shape.non_finite_count;
+    }
+    report.bytes_attributes += attribute_bytes(*mesh.data);
+}
+
+} // namespace peregrine::scene

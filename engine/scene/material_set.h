@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/memory.h"
+#include "scene/material.h"
+#include "scene/mesh.h"
+#include "scene/texture.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace peregrine::scene {
+
+// The materials of a scene with their textures found; shared by snapshots between which none of
+// them changed.
+struct MaterialSet {
+    explicit MaterialSet(base::Memory* memory) : materials(memory), textures(memory) {}
+
+    base::Vector<Material> materials;                      // 0 is the default one, slot i at i + 1
+    base::Vector<std::shared_ptr<const Texture>> textures; // keeps those of the materials alive
+};
+
+// What a mesh shows of them; shared likewise.
+struct MeshMaterials {
+    explicit MeshMaterials(base::Memory* memory) : each(memory) {}
+
+    base::Vector<uint32_t> each; // per triangle: index in MaterialSet::materials; or empty
+    uint32_t all = 0;            // of all triangles if `each` is empty
+    uint32_t features = 0;       // Feature bits of those that are shown
+
+    uint32_t of(uint32_t primitive) const { return each.empty() ? all : each[primitive]; }
+};
+
+} // namespace peregrine::scene

@@ -1,0 +1,261 @@
+#include "trace/world/stream.h"
+
+#include "trace/slabs.h"
+#include "trace/world/merge.h"
+#include "trace/world/ray_lists.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace peregrine::trace {
+namespace {
+
+using accel::instances::Extent;
+using accel::instances::Node;
+
+constexpr uint32_t kRoom = GateStream::kRoom;
+static_assert(kMaxStream + 16 <= kRoom);
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+void look_at(const RayStream& rays, uint32_t i, GateStream& gate) {
+    const math::Vec3 direction(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
+    const float largest = largest_component(direction);
+    const float smallest = 0x1p-26f * largest;
+    float distance = 0;
+    for (int k = 0; k < 3; ++k) {
+        const float d = direction[k];
+        gate.origin[k][i] = rays.origin[k][i];
+        gate.inverse[k][i] = 1 / (std::fabs(d) < smallest ? std::copysign(smallest, d) : d);
+        distance = std::max(distance, std::fabs(rays.origin[k][i]));
+    }
+    gate.distance[i] = distance;
+    gate.t_min[i] = rays.t_min[i];
+    if (largest >= 0x1p-32f && largest <= 0x1p32f && distance <= 0x1p60f) return;
+    for (int k = 0; k < 3; ++k) gate.origin[k][i] = gate.inverse[k][i] = 0;
+    gate.distance[i] = 0;
+    gate.t_min[i] = -kInfinity;
+}
+
+// Rays of a stream on their own, in an instance's space.
+class SubStream {
+public:
+    explicit SubStream(Coherence coherence) : coherence_(coherence) {}
+
+    void clear() { count_ = 0; }
+    void add(const math::Ray& ray, uint32_t number) {
+        for (int k = 0; k < 3; ++k) {
+            origin_[k][count_] = ray.origin[k];
+            direction_[k][count_] = ray.direction[k];
+        }
+        t_min_[count_] = ray.t_min;
+        t_max_[count_] = ray.t_max;
+        number_[count_++] = number;
+    }
+    uint32_t count() const { return count_; }
+    uint32_t number(uint32_t i) const { return number_[i]; }
+
+    // Padded with its last ray, which must be there.
+    RayStream stream() {
+        const uint32_t end = (count_ + 15) / 16 * 16;
+        const auto pad = [&](float* lane) {
+            std::fill(lane + count_, lane + end, lane[count_ - 1]);
+        };
+        for (int k = 0; k < 3; ++k) {
+            pad(origin_[k]);
+            pad(direction_[k]);
+        }
+        pad(t_min_);
+        pad(t_max_);
+        return {{origin_[0], origin_[1], origin_[2]},
+                {direction_[0], direction_[1], direction_[2]},
+                t_min_,
+                t_max_,
+                count_,
+                coherence_};
+    }
+
+private:
+    Coherence coherence_;
+    uint32_t count_ = 0;
+    alignas(64) float origin_[3][kRoom];
+    alignas(64) float direction_[3][kRoom];
+    alignas(64) float t_min_[kRoom];
+    alignas(64) float t_max_[kRoom];
+    uint32_t number_[kRoom];
+};
+
+// The hits of a sub-stream.
+struct SubHits {
+    alignas(64) float t[kRoom];
+    alignas(64) float u[kRoom];
+    alignas(64) float v[kRoom];
+    alignas(64) uint32_t triangle[kRoom];
+    alignas(64) uint32_t back_face[kRoom];
+    alignas(64) uint32_t steps[kRoom];
+
+    HitStream stream(bool with_steps) {
+        return {t, u, v, triangle, back_face, with_steps ? steps : nullptr};
+    }
+};
+
+// The way of a stream through the moving parts; Kind says what is asked of each.
+template <class Kind>
+class Walk {
+public:
+    Walk(const World& world, const RayStream& rays, const Filter& filter, Kind& kind)
+        : world_(world), rays_(rays), filter_(filter), kind_(kind),
+          lists_(ray_lists(world.fixed.kernels->isa)), sub_(rays.coherence) {
+        for (uint32_t i = 0; i < rays.count; ++i) {
+            look_at(rays, i, gate_);
+            gate_.t_max[i] = kind.left(i);
+        }
+    }
+
+    void run() {
+        if (!world_.deforming.empty()) visit_deforming();
+        if (!world_.nodes) return;
+        RayNumber* const all = list(0);
+        const uint32_t count = enter_all(world_.nodes[0].extent, all);
+        if (count != 0) visit(0, 0, count);
+    }
+
+private:
+    RayNumber* list(uint32_t level) { return room_[level]; }
+
+    uint32_t enter_all(const Extent& extent, RayNumber* to) {
+        for (uint32_t i = 0; i < rays_.count; ++i) to[i] = RayNumber(i);
+        std::fill_n(to + rays_.count, 16, RayNumber(0));
+        return lists_.enter(extent, gate_, to, rays_.count, to);
+    }
+
+    // Nothing is transformed: the slab test of slabs.h needs the triangles' own bounds alone.
+    void visit_deforming() {
+        Extent extent;
+        extent.box = world_.deforming.target.bounds;
+        const math::Vec3 most = glm::max(glm::abs(extent.box.lower), glm::abs(extent.box.upper));
+        extent.margin = 0x1p-19f * largest_component(most) + 0x1p-140f;
+        extent.slope = 0x1p-19f;
+        const uint32_t count = enter_all(extent, list(0));
+        sub_.clear();
+        for (uint32_t i = 0; i < count; ++i) add(list(0)[i], nullptr);
+        if (sub_.count() != 0) kind_.ask(world_, world_.deforming, filter_, sub_, gate_);
+    }
+
+    void visit(uint32_t place, uint32_t level, uint32_t count) {
+        const Node& node = world_.nodes[place];
+        if (node.right == 0) return visit_instance(world_.instances[node.instance], level, count);
+        uint32_t children[2] = {place + 1, node.right};
+        if (!left_first(children, list(level)[0])) std::swap(children[0], children[1]);
+        for (const uint32_t child : children) {
+            RayNumber* const entering = list(level + 1);
+            std::fill_n(list(level) + count, 16, RayNumber(0));
+            const uint32_t entered =
+                lists_.enter(world_.nodes[child].extent, gate_, list(level), count, entering);
+            if (entered != 0) visit(child, level + 1, entered);
+        }
+    }
+
+    bool left_first(const uint32_t (&children)[2], uint32_t ray) const {
+        const math::Box& a = world_.nodes[children[0]].extent.box;
+        const math::Box& b = world_.nodes[children[1]].extent.box;
+        float order = 0;
+        for (int k = 0; k < 3; ++k)
+            order += rays_.direction[k][ray]
+                     * ((b.lower[k] + b.upper[k]) - (a.lower[k] + a.upper[k]));
+        return order >= 0;
+    }
+
+    void visit_instance(const Instance& instance, uint32_t level, uint32_t count) {
+        if (!sees(filter_, instance)) return;
+        sub_.clear();
+        for (uint32_t i = 0; i < count; ++i) add(list(level)[i], &instance.to_local);
+        if (sub_.count() != 0)
+            kind_.ask(world_, instance.part, filter_within(filter_, instance), sub_, gate_);
+    }
+
+    void add(uint32_t number, const math::Affine* transform) {
+        math::Ray ray = ray_at(rays_, number);
+        ray.t_max = gate_.t_max[number];
+        if (transform && !to_local(*transform, math::Ray(ray), ray)) return;
+        sub_.add(ray, number);
+    }
+
+    const World& world_;
+    const RayStream& rays_;
+    const Filter& filter_;
+    Kind& kind_;
+    const RayLists& lists_;
+    SubStream sub_;
+    GateStream gate_;
+    RayNumber room_[accel::instances::kMaxDepth + 1][kRoom];
+};
+
+class Closest {
+public:
+    Closest(const RayStream& rays, const HitStream& hits) : rays_(rays), hits_(hits) {}
+
+    float left(uint32_t i) const { return std::min(rays_.t_max[i], hits_.t[i]); }
+
+    void ask(const World& world, const Part& part, const Filter& filter, SubStream& sub,
+             GateStream& gate) {
+        part.kernels->closest_stream(part.target, sub.stream(), filter,
+                                     found_.stream(hits_.steps != nullptr));
+        for (uint32_t i = 0; i < sub.count(); ++i) {
+            const uint32_t to = sub.number(i);
+            if (hits_.steps) hits_.steps[to] += found_.steps[i];
+            if (found_.triangle[i] == geometry::kNoTriangle) continue;
+            const uint32_t triangle = found_.triangle[i] + part.first;
+            if (!goes_before(world, found_.t[i], triangle, hits_.t[to], hits_.triangle[to]))
+                continue;
+            hits_.t[to] = gate.t_max[to] = found_.t[i];
+            hits_.u[to] = found_.u[i];
+            hits_.v[to] = found_.v[i];
+            hits_.triangle[to] = triangle;
+            hits_.back_face[to] = found_.back_face[i];
+        }
+    }
+
+private:
+    const RayStream& rays_;
+    const HitStream& hits_;
+    SubHits found_;
+};
+
+class Occluded {
+public:
+    Occluded(const RayStream& rays, uint8_t* occluded) : rays_(rays), occluded_(occluded) {}
+
+    float left(uint32_t i) const { return occluded_[i] ? -kInfinity : rays_.t_max[i]; }
+
+    void ask(const World&, const Part& part, const Filter& filter, SubStream& sub,
+             GateStream& gate) {
+        part.kernels->occluded_stream(part.target, sub.stream(), filter, found_);
+        for (uint32_t i = 0; i < sub.count(); ++i) {
+            if (!found_[i]) continue;
+            occluded_[sub.number(i)] = 1;
+            gate.t_max[sub.number(i)] = -kInfinity;
+        }
+    }
+
+private:
+    const RayStream& rays_;
+    uint8_t* occluded_;
+    uint8_t found_[kRoom];
+};
+
+} // namespace
+
+void closest_of_moving(const World& world, const RayStream& rays, const Filter& filter,
+                       const HitStream& hits) {
+    Closest kind(rays, hits);
+    Walk<Closest>(world, rays, filter, kind).run();
+}
+
+void occluded_by_moving(const World& world, const RayStream& rays, const Filter& filter,
+                        uint8_t* occluded) {
+    Occluded kind(rays, occluded);
+    Walk<Occluded>(world, rays, filter, kind).run();
+}
+
+} // namespace peregrine::trace

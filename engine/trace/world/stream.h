@@ -1,0 +1,28 @@
+#pragma once
+
+#include "trace/world/world.h"
+
+// Streams through all parts of a world: the fixed part takes them as they are, each moving part the
+// rays that may meet it.
+namespace peregrine::trace {
+
+inline constexpr uint32_t kMaxStream = 1024; // rays, in a world that moves
+
+void closest_of_moving(const World& world, const RayStream& rays, const Filter& filter,
+                       const HitStream& hits);
+void occluded_by_moving(const World& world, const RayStream& rays, const Filter& filter,
+                        uint8_t* occluded);
+
+inline void closest(const World& world, const RayStream& rays, const Filter& filter,
+                    const HitStream& hits) {
+    world.fixed.kernels->closest_stream(world.fixed.target, rays, filter, hits);
+    if (world.moves()) closest_of_moving(world, rays, filter, hits);
+}
+
+inline void occluded(const World& world, const RayStream& rays, const Filter& filter,
+                     uint8_t* occluded) {
+    world.fixed.kernels->occluded_stream(world.fixed.target, rays, filter, occluded);
+    if (world.moves()) occluded_by_moving(world, rays, filter, occluded);
+}
+
+} // namespace peregrine::trace

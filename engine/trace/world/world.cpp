@@ -1,0 +1,49 @@
+#include "trace/world/world.h"
+
+#include <algorithm>
+
+namespace peregrine::trace {
+namespace {
+
+double largest_coordinate(const math::Box& box) {
+    const math::Vec3 most = glm::max(glm::abs(box.lower), glm::abs(box.upper));
+    return double(std::max({most.x, most.y, most.z}));
+}
+
+double largest_coordinate(const math::Vec3d& v) {
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+float round_up(double value) {
+    return std::nextafter(float(value), HUGE_VALF);
+}
+
+} // namespace
+
+geometry::TriangleInfo moving_info(const World& world, uint32_t triangle) {
+    const uint32_t first_of_instances =
+        world.instance_count ? world.instances[0].part.first : geometry::kNoTriangle;
+    if (triangle < first_of_instances)
+        return world.deforming.target.infos[triangle - world.deforming.first];
+    const Instance* const end = world.instances + world.instance_count;
+    const Instance& instance =
+        std::upper_bound(world.instances, end, triangle,
+                         [](uint32_t number, const Instance& i) { return number < i.part.first; })[-1];
+    geometry::TriangleInfo info = instance.part.target.infos[triangle - instance.part.first];
+    info.mesh = instance.mesh;
+    return info;
+}
+
+accel::instances::Extent extent_of(const math::Affine& to_world, const math::Affine& to_local,
+                                   const math::Box& local) {
+    accel::instances::Extent extent;
+    extent.box = math::bounds(to_world, local);
+    const double grows = to_world.norm(), shrinks = to_local.norm();
+    const double error = grows * (0x1p-20 + grows * shrinks * 0x1p-48);
+    const double reach = largest_coordinate(to_local.offset) + largest_coordinate(local);
+    extent.margin = round_up(error * reach + 0x1p-20 * largest_coordinate(extent.box) + 0x1p-140);
+    extent.slope = round_up(error * shrinks + 0x1p-20);
+    return extent;
+}
+
+} // namespace peregrine::trace

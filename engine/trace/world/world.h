@@ -1,0 +1,78 @@
+#pragma once
+
+#include "accel/instances/tree.h"
+#include "math/affine.h"
+#include "trace/kernels.h"
+
+#include <cstdint>
+
+namespace peregrine::trace {
+
+// Triangles under one structure. Those of the whole world are numbered through: `first` is the
+// number of triangle 0 here.
+struct Part {
+    Target target{};
+    const Kernels* kernels = nullptr;
+    uint32_t first = 0;
+
+    bool empty() const { return target.bounds.empty(); }
+};
+
+// A mesh in its own space, somewhere in the world. What a ray hits there is, by definition, what
+// the canonical test says of the ray in that space (to_local).
+struct Instance {
+    math::Affine to_local;
+    Part part;
+    uint32_t mesh; // slot; takes the place of that in the target's infos
+    uint32_t layer_mask;
+    AlphaTest alpha; // of this mesh, for filters that have one
+};
+
+// Everything that a ray can hit.
+struct World {
+    Part fixed;
+    Part deforming;
+    const accel::instances::Node* nodes = nullptr; // over the instances; null: none
+    const Instance* instances = nullptr;           // in ascending order of Part::first
+    uint32_t instance_count = 0;
+    math::Box bounds;
+
+    bool moves() const { return nodes || !deforming.empty(); }
+};
+
+// Whose triangle it is; not for kNoTriangle.
+geometry::TriangleInfo moving_info(const World& world, uint32_t triangle);
+
+inline geometry::TriangleInfo info(const World& world, uint32_t triangle) {
+    if (triangle < world.deforming.first) [[likely]]
+        return world.fixed.target.infos[triangle];
+    return moving_info(world, triangle);
+}
+
+// The ray in the instance's space. False if nothing is left of it there: its direction vanishes, or
+// its origin lies beyond 1e30.
+inline bool to_local(const math::Affine& to_local, const math::Ray& ray, math::Ray& local) {
+    const math::Vec3 origin(to_local.point(math::Vec3d(ray.origin)));
+    const math::Vec3 direction(to_local.vector(math::Vec3d(ray.direction)));
+    local = {origin, ray.t_min, direction, ray.t_max};
+    const auto largest = [](const math::Vec3& v) {
+        return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    };
+    const float length = largest(direction);
+    return largest(origin) <= 1e30f && length > 0
+           && length <= std::numeric_limits<float>::max();
+}
+
+// What an instance whose mesh fills `local` fills of the world.
+//
+// A hit at t lies, in the instance's space, within 8.1 e D of a point Q of the mesh, D <= |o'| + R,
+// where o' is the rounded local origin, R the largest |coordinate| of the mesh, e = 2^-24
+// (slabs.h). Rounding o' and d' moves the local ray at that t by e |o'| and e (R + 2 |o'|) or less.
+// Back in the world, where lengths grow by at most |M|, the ray is within
+//     |M| (12 e + c 2^-48) (|W| |o| + |w| + R)
+// of M Q; W and w are the map to local space, M its inverse, c = |M| |W| bounds what both lose in
+// double. A slab test in float errs by less than 2^-20 (|o| + C), C the box's largest |coordinate|.
+accel::instances::Extent extent_of(const math::Affine& to_world, const math::Affine& to_local,
+                                   const math::Box& local);
+
+} // namespace peregrine::trace
