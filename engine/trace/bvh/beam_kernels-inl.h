@@ -13,6 +13,7 @@
 #include "trace/bvh/beam_traversal-inl.h"
 #include "trace/bvh/hit_board-inl.h"
 #include "trace/bvh/judge-inl.h"
+#include "trace/bvh/limit_planes-inl.h"
 #include "trace/bvh/plain.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -81,6 +82,8 @@ public:
         if (changed) beam_.update_limit(group);
     }
 
+    static uint32_t find_before(const Facets&, uint32_t, uint32_t mask) { return mask; }
+
     HWY_INLINE HWY_ATTR V8 end(uint32_t at) const { return board_.best(at); }
 
     HWY_INLINE HWY_ATTR bool take(uint32_t at, const EightHits& hits, V8 dz, uint32_t index) {
@@ -118,7 +121,7 @@ class OccludedBeam {
 public:
     HWY_ATTR OccludedBeam(const Target& target, Beam& beam, const RayStream& rays,
                           const Filter& filter)
-        : target_(target), beam_(beam), rays_(rays), filter_(filter) {}
+        : target_(target), beam_(beam), rays_(rays), filter_(filter), planes_(beam) {}
 
     HWY_ATTR void trace(uint8_t* occluded) {
         visit_beam(target_, beam_, *this);
@@ -136,6 +139,11 @@ public:
         const bool changed =
             open && judge_group<false>(beam_, rays_, facets, block, lane, group, open, *this);
         if (certain || changed) beam_.update_limit(group);
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t find_before(const Facets& facets, uint32_t lane,
+                                             uint32_t mask) const {
+        return planes_.find_before(facets, lane, mask);
     }
 
     HWY_INLINE HWY_ATTR V8 end(uint32_t at) const {
@@ -174,6 +182,7 @@ private:
     Beam& beam_;
     const RayStream& rays_;
     const Filter& filter_;
+    LimitPlanes planes_;
     uint32_t blocked_[kGroups] = {}; // bits
 };
 
