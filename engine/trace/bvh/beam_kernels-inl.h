@@ -16,6 +16,8 @@
 #include "trace/bvh/limit_planes-inl.h"
 #include "trace/bvh/plain.h"
 
+#include <cstring>
+
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
@@ -125,8 +127,7 @@ public:
 
     HWY_ATTR void trace(uint8_t* occluded) {
         visit_beam(target_, beam_, *this);
-        for (uint32_t i = 0; i < beam_.count; ++i)
-            occluded[beam_.first + i] = blocked_[i / kGroupRays] >> i % kGroupRays & 1;
+        report(occluded + beam_.first);
     }
 
     HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
@@ -176,6 +177,18 @@ private:
     HWY_INLINE HWY_ATTR void block_lanes(uint32_t at, M8 lanes) {
         const V8 limit = hn::Load(k8, beam_.limit + at);
         hn::Store(hn::IfThenElse(lanes, hn::Set(k8, kNever), limit), k8, beam_.limit + at);
+    }
+
+    // A byte for each bit.
+    void report(uint8_t* occluded) const {
+        uint32_t i = 0;
+        for (; i + 8 <= beam_.count; i += 8) {
+            const uint64_t bits = blocked_[i / kGroupRays] >> i % kGroupRays & 255;
+            const uint64_t apart = bits * 0x0101010101010101 & 0x8040201008040201;
+            const uint64_t bytes = (apart + 0x7f7f7f7f7f7f7f7f) >> 7 & 0x0101010101010101;
+            std::memcpy(occluded + i, &bytes, 8);
+        }
+        for (; i < beam_.count; ++i) occluded[i] = blocked_[i / kGroupRays] >> i % kGroupRays & 1;
     }
 
     const Target& target_;

@@ -41,9 +41,10 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
         if (count - first < accel::bvh::kBlockWidth) lanes &= (1u << (count - first)) - 1;
         for (; lanes; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(__builtin_ctz(lanes));
-            const uint32_t before = kernel.find_before(facets, lane, mask);
-            if (before == 0) continue;
-            const GroupsOfFacet groups = find_groups(beam, facets, lane, before);
+            uint32_t meeting = find_meeting(beam, facets, lane, mask);
+            if (meeting != 0) meeting = kernel.find_before(facets, lane, meeting);
+            if (meeting == 0) continue;
+            const GroupsOfFacet groups = find_groups(beam, facets, lane, meeting);
             for (uint32_t left = groups.open; left; left &= left - 1) {
                 const uint32_t group = uint32_t(__builtin_ctz(left));
                 const Candidates rays =

@@ -114,24 +114,30 @@ struct GroupsOfFacet {
     uint32_t inside = 0; // of these, those with all rays between the edges
 };
 
-HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& facets, uint32_t lane,
-                                              uint32_t mask) {
-    GroupsOfFacet groups;
+// Groups of `mask` whose windows meet the facet's.
+HWY_INLINE HWY_ATTR uint32_t find_meeting(const Beam& beam, const Facets& facets, uint32_t lane,
+                                          uint32_t mask) {
     const V8 nearest = hn::Set(k8, facets.nearest[lane]);
     const V8 p0 = hn::Set(k8, facets.p0[lane]), p1 = hn::Set(k8, facets.p1[lane]);
     const V8 q0 = hn::Set(k8, facets.q0[lane]), q1 = hn::Set(k8, facets.q1[lane]);
+    uint32_t bits = 0;
     for (uint32_t g = 0; g < kGroups; g += kLanes8) {
         const auto in_p = hn::And(hn::Le(p0, hn::Load(k8, beam.group_p1 + g)),
                                   hn::Ge(p1, hn::Load(k8, beam.group_p0 + g)));
         const auto in_q = hn::And(hn::Le(q0, hn::Load(k8, beam.group_q1 + g)),
                                   hn::Ge(q1, hn::Load(k8, beam.group_q0 + g)));
         const auto open = hn::Ge(hn::Load(k8, beam.group_limit + g), nearest);
-        groups.open |= bits_of(k8, hn::And(open, hn::And(in_p, in_q))) << g;
+        bits |= bits_of(k8, hn::And(open, hn::And(in_p, in_q))) << g;
     }
-    mask &= groups.open;
-    groups.open = mask;
-    if (mask == 0 || facets.by_window >> lane & 1) return groups;
-    groups.open = 0;
+    return bits & mask;
+}
+
+// Groups of `mask`, which find_meeting returned, as far as edge functions and depth tell.
+HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& facets, uint32_t lane,
+                                              uint32_t mask) {
+    if (facets.by_window >> lane & 1) return {mask, 0};
+    GroupsOfFacet groups;
+    const V8 nearest = hn::Set(k8, facets.nearest[lane]);
     // The corners of a group's window where an edge function is largest and smallest depend on its
     // signs alone.
     const float *high_p[3], *high_q[3], *low_p[3], *low_q[3];
