@@ -24,9 +24,8 @@ namespace peregrine::trace::bvh::HWY_NAMESPACE {
 using namespace trace::HWY_NAMESPACE;
 
 // Judges a group's candidates: kernel.take(at, hits, dz, index) hears of those of eight rays up to
-// kernel.end(at), kernel.test_one(block, lane, at) is asked for those that stand alone or whose
-// main axis is another; `at` counts from the beam's first ray. Returns whether the kernel changed a
-// limit.
+// kernel.end(at), kernel.test_one(block, lane, at) is asked for those whose main axis is another;
+// `at` counts from the beam's first ray. Returns whether the kernel changed a limit.
 template <bool Inside, class Kernel>
 HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, const Facets& facets,
                                      const Block& block, uint32_t lane, uint32_t group,
@@ -37,10 +36,7 @@ HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, co
     bool changed = false;
     for (uint32_t i = 0; i < kGroupRays; i += kLanes8) {
         const uint32_t piece = candidates >> i & ((1u << kLanes8) - 1);
-        if ((piece & (piece - 1)) == 0) {
-            alone |= piece << i;
-            continue;
-        }
+        if (piece == 0) continue;
         const uint32_t at = group * kGroupRays + i;
         const V8 dz = hn::LoadU(k8, rays.direction[beam.kz] + beam.first + at);
         const V8 begin = hn::LoadU(k8, rays.t_min + beam.first + at);
@@ -68,6 +64,9 @@ HWY_INLINE HWY_ATTR bool intersect_one(const RayStream& rays, uint32_t at, float
 template <bool Filtered>
 class ClosestBeam {
 public:
+    // Leaves up to this part of a beam's side are tiny; a group's is a quarter.
+    static constexpr float kTinySide = 0.125f;
+
     HWY_ATTR ClosestBeam(const Target& target, Beam& beam, const RayStream& rays,
                          const Filter& filter, const HitStream& out)
         : target_(target), beam_(beam), rays_(rays), filter_(filter),
@@ -121,6 +120,8 @@ private:
 template <bool Filtered>
 class OccludedBeam {
 public:
+    static constexpr float kTinySide = 0.3f; // see ClosestBeam
+
     HWY_ATTR OccludedBeam(const Target& target, Beam& beam, const RayStream& rays,
                           const Filter& filter)
         : target_(target), beam_(beam), rays_(rays), filter_(filter), planes_(beam) {}

@@ -87,7 +87,7 @@ HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
         ++visited;
         const Node& node = target.bvh_nodes[entry.link.node()];
         BeamChildren children;
-        children.find(beam, node, window, limit);
+        children.find(beam, node, window, limit, Kernel::kTinySide);
         const uint32_t bottom = depth;
         for (uint32_t bits = children.entered; bits; bits &= bits - 1) {
             const uint32_t child = uint32_t(__builtin_ctz(bits));
