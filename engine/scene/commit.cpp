@@ -44,9 +44,18 @@ uint64_t texture_bytes(const Snapshot& snapshot) {
 
 } // namespace
 
+BuildChoice BuildChoice::relevant() const {
+    BuildChoice choice;
+    choice.structure = structure;
+    if (structure == trace::Structure::bvh) choice.quality = quality;
+    if (structure == trace::Structure::kdtree) choice.empty_bonus = empty_bonus;
+    return choice;
+}
+
 std::shared_ptr<const Geometry> Scene::current_geometry(const Snapshot& snapshot,
                                                         const CommitOptions& options) {
-    if (geometry_ && !geometry_changed_ && geometry_build_ == options.build) return geometry_;
+    if (geometry_ && !geometry_changed_ && geometry_build_ == options.build.relevant())
+        return geometry_;
     const auto geometry =
         std::allocate_shared<Geometry>(std::pmr::polymorphic_allocator<Geometry>(&memory), &memory);
     collect_triangles(snapshot, *geometry);
@@ -95,7 +104,7 @@ CommitReport Scene::commit(const CommitOptions& options) {
     // Nothing below can fail.
     geometry_ = snapshot.geometry;
     geometry_changed_ = false;
-    geometry_build_ = options.build;
+    geometry_build_ = options.build.relevant();
     ++version_;
     draft.publish();
     report.commit_ms = ms_since(start);

@@ -41,6 +41,9 @@ struct BuildChoice {
     accel::bvh::Quality quality = accel::bvh::Quality::balanced;
     float empty_bonus = 0; // of the kd-tree
 
+    // Without what the structure ignores: equal ones build the same.
+    BuildChoice relevant() const;
+
     bool operator==(const BuildChoice&) const = default;
 };
 
@@ -101,7 +104,7 @@ private:
 
     base::Isa isa_; // never `best`
     std::shared_ptr<const Geometry> geometry_;
-    BuildChoice geometry_build_;
+    BuildChoice geometry_build_; // what is relevant of it
     bool geometry_changed_ = true;
     uint64_t version_ = 0;
 };
