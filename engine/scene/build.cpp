@@ -6,6 +6,14 @@
 
 namespace peregrine::scene {
 
+BuildChoice BuildChoice::relevant() const {
+    BuildChoice choice;
+    choice.structure = structure;
+    if (structure == trace::Structure::bvh) choice.quality = quality;
+    if (structure == trace::Structure::kdtree) choice.empty_bonus = empty_bonus;
+    return choice;
+}
+
 void build_structure(const BuildChoice& choice, base::Scheduler& scheduler,
                      const base::Progress& progress, base::Memory* memory, Geometry& geometry) {
     geometry.structure = choice.structure;

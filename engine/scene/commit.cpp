@@ -96,7 +96,7 @@ void Commit::build_parts() {
         return old && !scene_.changed_[uint32_t(kind)];
     };
     const bool keep_fixed =
-        keep(MeshKind::fixed, scene_.fixed_) && scene_.fixed_build_ == options_.build;
+        keep(MeshKind::fixed, scene_.fixed_) && scene_.fixed_build_ == options_.build.relevant();
     snapshot_.fixed = keep_fixed ? scene_.fixed_
                                  : build(MeshKind::fixed, options_.build, options_.progress);
     snapshot_.deforming = keep(MeshKind::deforming, scene_.deforming_)
@@ -198,7 +198,7 @@ void Commit::prepare() {
 void Commit::remember() noexcept {
     scene_.fixed_ = snapshot_.fixed;
     scene_.deforming_ = snapshot_.deforming;
-    scene_.fixed_build_ = options_.build;
+    scene_.fixed_build_ = options_.build.relevant();
     for (bool& changed : scene_.changed_) changed = false;
     ++scene_.version_;
 }

@@ -58,6 +58,9 @@ struct BuildChoice {
     accel::bvh::Quality quality = accel::bvh::Quality::balanced;
     float empty_bonus = 0; // of the kd-tree
 
+    // Without what the structure ignores: equal ones build the same.
+    BuildChoice relevant() const;
+
     bool operator==(const BuildChoice&) const = default;
 };
 
@@ -131,7 +134,7 @@ private:
     std::shared_ptr<const Geometry> fixed_;
     std::shared_ptr<const Geometry> deforming_;
     std::shared_ptr<const MaterialSet> material_set_;
-    BuildChoice fixed_build_;
+    BuildChoice fixed_build_; // what is relevant of it
     bool changed_[3] = {true, true, true}; // by MeshKind
     uint64_t materials_version_ = 1;
     uint64_t material_set_version_ = 0; // of materials_version_ that material_set_ shows

@@ -173,5 +173,36 @@ TEST(Commit, RebuildsOnlyWhenTheGeometryChanged) {
     EXPECT_EQ(rebuilt(), 1u);
 }
 
+// Each structure has options of its own: the others' change nothing.
+TEST(Commit, RebuildsOnlyForOptionsThatTheStructureHeeds) {
+    WorldGuard world;
+    rt_commit_desc desc = rt_default_commit_desc();
+    uint32_t calls = 0;
+    desc.progress_user = &calls;
+    desc.progress = [](void* user, float) { return ++*static_cast<uint32_t*>(user), 0; };
+    const auto rebuilds = [&] {
+        calls = 0;
+        rt_commit_report report = rt_default_commit_report();
+        EXPECT_OK(rt_commit_scene(world->scene, &desc, &report));
+        EXPECT_EQ(report.quality, desc.quality) << "as asked for";
+        EXPECT_EQ(report.rebuilt, uint32_t(calls > 1)) << "the last call is the commit's own";
+        return report.rebuilt != 0;
+    };
+    for (const rt_structure structure : {RT_STRUCTURE_KDTREE, RT_STRUCTURE_BIH, RT_STRUCTURE_BVH}) {
+        SCOPED_TRACE(structure);
+        desc.structure = structure;
+        EXPECT_TRUE(rebuilds());
+        EXPECT_FALSE(rebuilds());
+        desc.empty_bonus = desc.empty_bonus == 0 ? 0.5f : 0;
+        EXPECT_EQ(rebuilds(), structure == RT_STRUCTURE_KDTREE);
+        EXPECT_FALSE(rebuilds());
+        desc.quality = desc.quality == RT_BUILD_FAST ? RT_BUILD_BEST : RT_BUILD_FAST;
+        EXPECT_EQ(rebuilds(), structure == RT_STRUCTURE_BVH);
+        EXPECT_FALSE(rebuilds());
+    }
+    desc.structure = RT_STRUCTURE_AUTO; // the BVH that there is
+    EXPECT_FALSE(rebuilds());
+}
+
 } // namespace
 } // namespace peregrine::test

@@ -1,15 +1,12 @@
 #include "accel/bih/builder.h"
 
-#include "base/error.h"
+#include "builder_checks.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <new>
 #include <random>
-#include <thread>
 #include <vector>
 
 namespace peregrine::accel::bih {
@@ -18,20 +15,14 @@ namespace {
 using geometry::Triangle;
 using math::Box;
 using math::Vec3;
-using Triangles = std::vector<Triangle>;
+using namespace test;
 
-Triangle make(const Vec3& a, const Vec3& b, const Vec3& c) {
-    Triangle triangle{};
-    triangle.v0 = a;
-    triangle.v1 = b;
-    triangle.v2 = c;
-    return triangle;
+auto builder() {
+    return with_options(build, BuildOptions{});
 }
 
 Tree build_with(const Triangles& triangles, uint32_t workers) {
-    base::Memory* memory = std::pmr::new_delete_resource();
-    base::Scheduler scheduler(workers, {}, memory);
-    return build(triangles, {}, scheduler, {}, memory);
+    return build_alone(builder(), triangles, workers);
 }
 
 Triangles soup(uint32_t seed, size_t count, float size, float scale = 1) {
@@ -122,8 +113,7 @@ void expect_good(const Triangles& triangles) {
 }
 
 void expect_same(const Tree& a, const Tree& b) {
-    ASSERT_EQ(a.nodes.size(), b.nodes.size());
-    EXPECT_EQ(std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(Node)), 0);
+    expect_same_bytes(a.nodes, b.nodes);
     EXPECT_EQ(a.references, b.references);
     EXPECT_EQ(a.report.sah_cost, b.report.sah_cost);
 }
@@ -164,15 +154,9 @@ TEST(BihBuilder, CoincidentTriangles) {
     expect_good(triangles);
 }
 
-// |  | |||  each triangle half as large and half as far as the one before: one plane at a time
-// would split off one of them.
+// One plane at a time would split off one of them.
 TEST(BihBuilder, GeometricSeriesStaysWithinTheDepth) {
-    Triangles triangles;
-    for (int i = 0; i < 3000; ++i) {
-        const float s = std::ldexp(1.0f, 60 - i % 180);
-        triangles.push_back(make({s, 0, 0}, {s, s, 0}, {s * 1.5f, 0, s}));
-    }
-    expect_good(triangles);
+    expect_good(series(3000, 180));
 }
 
 // Two crowds far apart in a diagonal: their cells are empty but for a corner.
@@ -193,98 +177,19 @@ TEST(BihBuilder, SameTreeForAnyNumberOfWorkers) {
     const Triangles triangles = soup(5, 50000, 0.02f);
     const Tree one = build_with(triangles, 1);
     Checker(one, triangles).check();
-    for (uint32_t workers : {2u, 5u}) expect_same(one, build_with(triangles, workers));
+    expect_same_for_any_workers(builder(), triangles, one, expect_same);
 }
-
-class FailingMemory final : public std::pmr::memory_resource {
-public:
-    explicit FailingMemory(int64_t allocations) : left_(allocations) {}
-    int64_t live_bytes() const { return live_; }
-
-private:
-    void* do_allocate(size_t size, size_t alignment) override {
-        if (left_.fetch_sub(1) <= 0) throw std::bad_alloc();
-        live_ += int64_t(size);
-        return ::operator new(size, std::align_val_t(alignment));
-    }
-    void do_deallocate(void* memory, size_t size, size_t alignment) override {
-        live_ -= int64_t(size);
-        ::operator delete(memory, std::align_val_t(alignment));
-    }
-    bool do_is_equal(const memory_resource& other) const noexcept override {
-        return this == &other;
-    }
-
-    std::atomic<int64_t> left_;
-    std::atomic<int64_t> live_{0};
-};
 
 TEST(BihBuilder, SurvivesEveryFailingAllocation) {
-    const Triangles triangles = soup(6, 5000, 0.05f);
-    base::Scheduler scheduler(2, {}, std::pmr::new_delete_resource());
-    for (int64_t allowed = 0;; ++allowed) {
-        FailingMemory memory(allowed);
-        bool built = false;
-        try {
-            built = !build(triangles, {}, scheduler, {}, &memory).nodes.empty();
-        } catch (const std::bad_alloc&) {
-        }
-        ASSERT_EQ(memory.live_bytes(), 0);
-        if (built) break;
-        ASSERT_LT(allowed, 1000);
-    }
+    expect_survives_failing_allocations(builder(), soup(6, 5000, 0.05f), 1000);
 }
 
-struct Watcher {
-    std::thread::id caller = std::this_thread::get_id();
-    uint32_t calls = 0;
-    uint32_t stop_at = ~0u;
-    float last = 0;
-    bool good = true;
-
-    base::Progress progress() {
-        return {[](void* user, float fraction) {
-                    Watcher& self = *static_cast<Watcher*>(user);
-                    self.good &= std::this_thread::get_id() == self.caller && fraction >= self.last
-                                 && fraction <= 1;
-                    self.last = fraction;
-                    return int32_t(++self.calls >= self.stop_at);
-                },
-                this};
-    }
-};
-
 TEST(BihBuilder, ReportsProgressAndCancels) {
-    const Triangles triangles = soup(7, 50000, 0.02f);
-    base::Memory* memory = std::pmr::new_delete_resource();
-    base::Scheduler scheduler(2, {}, memory);
-    Watcher watcher;
-    build(triangles, {}, scheduler, watcher.progress(), memory);
-    EXPECT_TRUE(watcher.good);
-    EXPECT_GT(watcher.calls, 4u);
-    for (uint32_t stop_at = 1; stop_at <= 4; ++stop_at) {
-        Watcher stopper;
-        stopper.stop_at = stop_at;
-        try {
-            build(triangles, {}, scheduler, stopper.progress(), memory);
-            FAIL() << "was not cancelled at call " << stop_at;
-        } catch (const base::Error& error) {
-            EXPECT_EQ(error.code, base::Code::cancelled);
-        }
-    }
+    expect_progress_and_cancellation(builder(), soup(7, 50000, 0.02f));
 }
 
 TEST(BihBuilder, RefusesTooManyTriangles) {
-    base::Memory* memory = std::pmr::new_delete_resource();
-    base::Scheduler scheduler(1, {}, memory);
-    const Triangle one = make({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    const std::span<const Triangle> many(&one, (size_t(1) << 27) + 1); // never read
-    try {
-        build(many, {}, scheduler, {}, memory);
-        FAIL();
-    } catch (const base::Error& error) {
-        EXPECT_EQ(error.code, base::Code::limit);
-    }
+    expect_too_many_triangles_refused(builder());
 }
 
 } // namespace

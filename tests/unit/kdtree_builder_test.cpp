@@ -1,18 +1,12 @@
 #include "accel/kdtree/builder.h"
 
-#include "base/error.h"
+#include "builder_checks.h"
 #include "geometry/clip.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <functional>
-#include <new>
-#include <random>
-#include <thread>
 #include <vector>
 
 namespace peregrine::accel::kdtree {
@@ -22,88 +16,14 @@ using geometry::Triangle;
 using math::Box;
 using math::Vec3;
 using math::Vec3d;
-using Triangles = std::vector<Triangle>;
+using namespace test;
 
-Triangle make(const Vec3& a, const Vec3& b, const Vec3& c) {
-    Triangle triangle{};
-    triangle.v0 = a;
-    triangle.v1 = b;
-    triangle.v2 = c;
-    return triangle;
+auto builder(const BuildOptions& options = {}) {
+    return with_options(build, options);
 }
 
 Tree build_with(const Triangles& triangles, uint32_t workers, const BuildOptions& options = {}) {
-    base::Memory* memory = std::pmr::new_delete_resource();
-    base::Scheduler scheduler(workers, {}, memory);
-    return build(triangles, options, scheduler, {}, memory);
-}
-
-// Coordinates of few bits, so that points with weights i / 64 are exact in double.
-class Random {
-public:
-    explicit Random(uint32_t seed) : random_(seed) {}
-
-    uint32_t below(uint32_t n) { return uint32_t(random_()) % n; }
-    float coordinate(uint32_t range) { return float(below(range)) / 1024.0f; }
-    Vec3 point(uint32_t range) { return {coordinate(range), coordinate(range), coordinate(range)}; }
-
-    Triangles soup(uint32_t count, uint32_t size) {
-        Triangles triangles;
-        while (triangles.size() < count) {
-            const Vec3 at = point(32768);
-            const Triangle t = make(at + point(size), at + point(size), at + point(size));
-            if (glm::cross(t.v1 - t.v0, t.v2 - t.v0) != Vec3(0)) triangles.push_back(t);
-        }
-        return triangles;
-    }
-
-    Vec3d inside(const Triangle& t) {
-        uint32_t u = below(65);
-        uint32_t v = below(65);
-        if (u + v > 64) u = 64 - u, v = 64 - v;
-        return (Vec3d(t.v0) * double(64 - u - v) + Vec3d(t.v1) * double(u)
-                + Vec3d(t.v2) * double(v))
-               / 64.0;
-    }
-
-private:
-    std::mt19937 random_;
-};
-
-Triangles scaled(Triangles triangles, float factor) {
-    for (Triangle& t : triangles) t.v0 *= factor, t.v1 *= factor, t.v2 *= factor;
-    return triangles;
-}
-
-Triangles grid(uint32_t side) {
-    Triangles triangles;
-    for (uint32_t i = 0; i < side * side; ++i) {
-        const Vec3 at(float(i % side), 0, float(i / side));
-        triangles.push_back(make(at, at + Vec3(1, 0, 0), at + Vec3(0, 0, 1)));
-        triangles.push_back(make(at + Vec3(1, 0, 0), at + Vec3(1, 0, 1), at + Vec3(0, 0, 1)));
-    }
-    return triangles;
-}
-
-Triangles needles(uint32_t count) {
-    Random random(3);
-    Triangles triangles;
-    for (uint32_t i = 0; i < count; ++i) {
-        const Vec3 at = random.point(1024);
-        triangles.push_back(
-            make(at, at + random.point(65536), at + Vec3(1.0f / 1024, 2.0f / 1024, 0)));
-    }
-    return triangles;
-}
-
-// |  | |||  each triangle half as large and half as far as the one before, on all axes
-Triangles series(uint32_t count) {
-    Triangles triangles;
-    for (uint32_t i = 0; i < count; ++i) {
-        const float s = std::ldexp(1.0f, 60 - int(i % 120));
-        triangles.push_back(make({s, 0, 0}, {s, s, 0}, {s * 1.5f, 0, s}));
-    }
-    return triangles;
+    return build_alone(builder(options), triangles, workers);
 }
 
 class Checker {
@@ -127,17 +47,11 @@ public:
 
     // Of a point that is at least `tolerance` away from split planes the only leaf, otherwise one
     // of its leaves, must have the triangle.
-    void check_coverage(uint32_t points, double tolerance_of_coordinate) {
-        Random random(11);
-        const uint32_t step = uint32_t(triangles_.size()) / 4000 + 1;
-        for (uint32_t i = 0; i < triangles_.size(); i += step) {
-            const Triangle& t = triangles_[i];
-            const Vec3 largest = glm::max(glm::max(glm::abs(t.v0), glm::abs(t.v1)), glm::abs(t.v2));
-            const double tolerance =
-                tolerance_of_coordinate * double(std::max({largest.x, largest.y, largest.z}));
-            for (uint32_t k = 0; k < points; ++k)
-                ASSERT_TRUE(covered(0, random.inside(t), i, tolerance)) << "triangle " << i;
-        }
+    void check_coverage(double tolerance_of_coordinate) {
+        expect_coverage(triangles_, tolerance_of_coordinate,
+                        [&](const Vec3d& point, uint32_t triangle, double tolerance) {
+                            return covered(0, point, triangle, tolerance);
+                        });
     }
 
 private:
@@ -197,12 +111,11 @@ void expect_good(const Triangles& triangles, double tolerance, const BuildOption
     const Tree tree = build_with(triangles, 1, options);
     Checker checker(tree, triangles);
     checker.check_structure();
-    checker.check_coverage(16, tolerance);
+    checker.check_coverage(tolerance);
 }
 
 void expect_same(const Tree& a, const Tree& b) {
-    ASSERT_EQ(a.nodes.size(), b.nodes.size());
-    EXPECT_EQ(std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(Node)), 0);
+    expect_same_bytes(a.nodes, b.nodes);
     EXPECT_EQ(a.references, b.references);
     EXPECT_EQ(a.report.sah_cost, b.report.sah_cost);
 }
@@ -238,7 +151,7 @@ TEST(KdTreeBuilder, Needles) {
     expect_good(needles(1000), 0);
 }
 TEST(KdTreeBuilder, GeometricSeries) {
-    expect_good(series(3000), 0);
+    expect_good(series(3000, 120), 0);
 }
 
 // Each crosses most others: the heuristic alone would go on for hundreds of references each.
@@ -259,23 +172,8 @@ TEST(KdTreeBuilder, EmptyBonusKeepsCoverage) {
               build_with(triangles, 1).nodes.size());
 }
 
-// Staircases of axis-aligned triangles: planes that coincide with others and with cells' borders.
 TEST(KdTreeBuilder, PlanesInPlanes) {
-    Triangles triangles;
-    for (uint32_t axis = 0; axis < 3; ++axis) {
-        for (Triangle t : grid(16)) {
-            const auto turn = [&](Vec3 v) {
-                for (uint32_t i = 0; i < axis; ++i) v = {v.z, v.x, v.y};
-                return v;
-            };
-            for (uint32_t layer = 0; layer < 4; ++layer) {
-                const Vec3 offset = turn({0, float(4 * layer), 0});
-                triangles.push_back(
-                    make(turn(t.v0) + offset, turn(t.v1) + offset, turn(t.v2) + offset));
-            }
-        }
-    }
-    expect_good(triangles, 0);
+    expect_good(staircases(), 0);
 }
 
 TEST(KdTreeBuilder, CoincidentTrianglesBuildQuickly) {
@@ -290,13 +188,9 @@ TEST(KdTreeBuilder, CoincidentTrianglesBuildQuickly) {
 }
 
 TEST(KdTreeBuilder, HugeAndTinyCoordinates) {
-    Random random(5);
-    for (float scale : {1e-44f, 1e-38f, 1e-30f, 1e-10f, 1e10f, 1e28f}) {
-        SCOPED_TRACE(scale);
-        Triangles triangles;
-        for (const Triangle& t : scaled(random.soup(2000, 1024), scale))
-            if (t.v0 != t.v1 && t.v1 != t.v2 && t.v2 != t.v0) triangles.push_back(t);
-        expect_good(triangles, 0x1p-45);
+    for (const ScaledSoup& soup : soups_of_all_scales()) {
+        SCOPED_TRACE(soup.scale);
+        expect_good(soup.triangles, 0x1p-45);
     }
 }
 
@@ -318,124 +212,30 @@ TEST(KdTreeBuilder, PowersOfTwoChangeNoBit) {
 }
 
 TEST(KdTreeBuilder, FarFromTheOrigin) {
-    Triangles triangles;
-    for (Triangle t : Random(8).soup(3000, 1024)) {
-        const Vec3 far(1e6f, -3e6f, 1e5f);
-        t = make(t.v0 + far, t.v1 + far, t.v2 + far);
-        if (glm::cross(t.v1 - t.v0, t.v2 - t.v0) != Vec3(0)) triangles.push_back(t);
-    }
-    expect_good(triangles, 0x1p-45);
+    expect_good(far_soup(), 0x1p-45);
 }
 
 TEST(KdTreeBuilder, SameTreeForAnyNumberOfWorkers) {
     const Triangles triangles = Random(9).soup(20000, 1024);
     const Tree one = build_with(triangles, 1);
     Checker(one, triangles).check_structure();
-    for (uint32_t workers : {2u, 5u}) expect_same(one, build_with(triangles, workers));
+    expect_same_for_any_workers(builder(), triangles, one, expect_same);
 }
 
-// A host may run all tasks on the calling thread, in any order.
 TEST(KdTreeBuilder, SameTreeOnAHostsScheduler) {
-    const Triangles triangles = Random(10).soup(10000, 1024);
-    base::HostScheduler host;
-    host.concurrency = 7;
-    host.run = [](void*, uint32_t count, base::TaskFunction task, void* data) {
-        for (uint32_t i = count; i-- > 0;) task(data, i);
-    };
-    base::Memory* memory = std::pmr::new_delete_resource();
-    base::Scheduler scheduler(1, host, memory);
-    expect_same(build_with(triangles, 1), build(triangles, {}, scheduler, {}, memory));
+    expect_same_on_a_hosts_scheduler(builder(), expect_same);
 }
-
-class FailingMemory final : public std::pmr::memory_resource {
-public:
-    explicit FailingMemory(int64_t allocations) : left_(allocations) {}
-    int64_t live_bytes() const { return live_; }
-
-private:
-    void* do_allocate(size_t size, size_t alignment) override {
-        if (left_.fetch_sub(1) <= 0) throw std::bad_alloc();
-        live_ += int64_t(size);
-        return ::operator new(size, std::align_val_t(alignment));
-    }
-    void do_deallocate(void* memory, size_t size, size_t alignment) override {
-        live_ -= int64_t(size);
-        ::operator delete(memory, std::align_val_t(alignment));
-    }
-    bool do_is_equal(const memory_resource& other) const noexcept override {
-        return this == &other;
-    }
-
-    std::atomic<int64_t> left_;
-    std::atomic<int64_t> live_{0};
-};
 
 TEST(KdTreeBuilder, SurvivesEveryFailingAllocation) {
-    const Triangles triangles = Random(12).soup(4000, 1024);
-    base::Scheduler scheduler(2, {}, std::pmr::new_delete_resource());
-    for (int64_t allowed = 0;; ++allowed) {
-        FailingMemory memory(allowed);
-        bool built = false;
-        try {
-            built = !build(triangles, {}, scheduler, {}, &memory).nodes.empty();
-        } catch (const std::bad_alloc&) {
-        }
-        ASSERT_EQ(memory.live_bytes(), 0);
-        if (built) break;
-        ASSERT_LT(allowed, 10000);
-    }
+    expect_survives_failing_allocations(builder(), Random(12).soup(4000, 1024), 10000);
 }
 
-struct Watcher {
-    std::thread::id caller = std::this_thread::get_id();
-    uint32_t calls = 0;
-    uint32_t stop_at = ~0u;
-    float last = 0;
-    bool good = true;
-
-    base::Progress progress() {
-        return {[](void* user, float fraction) {
-                    Watcher& self = *static_cast<Watcher*>(user);
-                    self.good &= std::this_thread::get_id() == self.caller && fraction >= self.last
-                                 && fraction <= 1;
-                    self.last = fraction;
-                    return int32_t(++self.calls >= self.stop_at);
-                },
-                this};
-    }
-};
-
 TEST(KdTreeBuilder, ReportsProgressAndCancels) {
-    const Triangles triangles = Random(13).soup(10000, 1024);
-    base::Memory* memory = std::pmr::new_delete_resource();
-    base::Scheduler scheduler(2, {}, memory);
-    Watcher watcher;
-    build(triangles, {}, scheduler, watcher.progress(), memory);
-    EXPECT_TRUE(watcher.good);
-    EXPECT_GT(watcher.calls, 4u);
-    for (uint32_t stop_at = 1; stop_at <= 4; ++stop_at) {
-        Watcher stopper;
-        stopper.stop_at = stop_at;
-        try {
-            build(triangles, {}, scheduler, stopper.progress(), memory);
-            FAIL() << "was not cancelled at call " << stop_at;
-        } catch (const base::Error& error) {
-            EXPECT_EQ(error.code, base::Code::cancelled);
-        }
-    }
+    expect_progress_and_cancellation(builder(), Random(13).soup(10000, 1024));
 }
 
 TEST(KdTreeBuilder, RefusesTooManyTriangles) {
-    base::Memory* memory = std::pmr::new_delete_resource();
-    base::Scheduler scheduler(1, {}, memory);
-    const Triangle one = make({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    const std::span<const Triangle> many(&one, (size_t(1) << 27) + 1); // never read
-    try {
-        build(many, {}, scheduler, {}, memory);
-        FAIL();
-    } catch (const base::Error& error) {
-        EXPECT_EQ(error.code, base::Code::limit);
-    }
+    expect_too_many_triangles_refused(builder());
 }
 
 } // namespace

@@ -28,7 +28,7 @@ struct BeamChildren {
     alignas(32) float x0[8], x1[8], y0[8], y1[8];
 
     HWY_INLINE HWY_ATTR void find(const Beam& beam, const Node& node, const Window& window,
-                                  float limit);
+                                  float limit, float tiny_side);
     // Slopes through a child that lies ahead as a whole.
     HWY_INLINE HWY_ATTR Window window_of(uint32_t child) const {
         const float near_inverse = 1 / near[child], far_inverse = 1 / far[child];
@@ -43,7 +43,7 @@ struct BeamChildren {
 };
 
 HWY_INLINE HWY_ATTR void BeamChildren::find(const Beam& beam, const Node& node,
-                                            const Window& window, float limit) {
+                                            const Window& window, float limit, float tiny_side) {
     entered = narrow = tiny = 0;
     const bool ahead = beam.sign > 0;
     const float* z_first = ahead ? node.lower[beam.kz] : node.upper[beam.kz];
@@ -58,9 +58,8 @@ HWY_INLINE HWY_ATTR void BeamChildren::find(const Beam& beam, const Node& node,
              q1 = hn::Set(k8, window.q1 + beam.center_q);
     const V8 wide_p = hn::Mul(hn::Set(k8, 0.5f), hn::Sub(p1, p0));
     const V8 wide_q = hn::Mul(hn::Set(k8, 0.5f), hn::Sub(q1, q0));
-    // A quarter of the side of a beam is the side of a group.
-    const V8 tiny_p = hn::Set(k8, 0.125f * (beam.window.p1 - beam.window.p0));
-    const V8 tiny_q = hn::Set(k8, 0.125f * (beam.window.q1 - beam.window.q0));
+    const V8 tiny_p = hn::Set(k8, tiny_side * (beam.window.p1 - beam.window.p0));
+    const V8 tiny_q = hn::Set(k8, tiny_side * (beam.window.q1 - beam.window.q0));
     for (size_t i = 0; i < accel::bvh::kWidth; i += kLanes8) {
         const V8 za = hn::Sub(hn::Mul(hn::Load(k8, z_first + i), sign), hn::Add(oz, margin));
         const V8 zb = hn::Sub(hn::Mul(hn::Load(k8, z_last + i), sign), hn::Sub(oz, margin));

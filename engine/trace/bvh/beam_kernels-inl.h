@@ -13,7 +13,10 @@
 #include "trace/bvh/beam_traversal-inl.h"
 #include "trace/bvh/hit_board-inl.h"
 #include "trace/bvh/judge-inl.h"
+#include "trace/bvh/limit_planes-inl.h"
 #include "trace/bvh/plain.h"
+
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
@@ -21,9 +24,8 @@ namespace peregrine::trace::bvh::HWY_NAMESPACE {
 using namespace trace::HWY_NAMESPACE;
 
 // Judges a group's candidates: kernel.take(at, hits, dz, index) hears of those of eight rays up to
-// kernel.end(at), kernel.test_one(block, lane, at) is asked for those that stand alone or whose
-// main axis is another; `at` counts from the beam's first ray. Returns whether the kernel changed a
-// limit.
+// kernel.end(at), kernel.test_one(block, lane, at) is asked for those whose main axis is another;
+// `at` counts from the beam's first ray. Returns whether the kernel changed a limit.
 template <bool Inside, class Kernel>
 HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, const Facets& facets,
                                      const Block& block, uint32_t lane, uint32_t group,
@@ -34,10 +36,7 @@ HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, co
     bool changed = false;
     for (uint32_t i = 0; i < kGroupRays; i += kLanes8) {
         const uint32_t piece = candidates >> i & ((1u << kLanes8) - 1);
-        if ((piece & (piece - 1)) == 0) {
-            alone |= piece << i;
-            continue;
-        }
+        if (piece == 0) continue;
         const uint32_t at = group * kGroupRays + i;
         const V8 dz = hn::LoadU(k8, rays.direction[beam.kz] + beam.first + at);
         const V8 begin = hn::LoadU(k8, rays.t_min + beam.first + at);
@@ -65,6 +64,9 @@ HWY_INLINE HWY_ATTR bool intersect_one(const RayStream& rays, uint32_t at, float
 template <bool Filtered>
 class ClosestBeam {
 public:
+    // Leaves up to this part of a beam's side are tiny; a group's is a quarter.
+    static constexpr float kTinySide = 0.125f;
+
     HWY_ATTR ClosestBeam(const Target& target, Beam& beam, const RayStream& rays,
                          const Filter& filter, const HitStream& out)
         : target_(target), beam_(beam), rays_(rays), filter_(filter),
@@ -80,6 +82,8 @@ public:
                 : judge_group<false>(beam_, rays_, facets, block, lane, group, rays.open, *this);
         if (changed) beam_.update_limit(group);
     }
+
+    static uint32_t find_before(const Facets&, uint32_t, uint32_t mask) { return mask; }
 
     HWY_INLINE HWY_ATTR V8 end(uint32_t at) const { return board_.best(at); }
 
@@ -116,14 +120,15 @@ private:
 template <bool Filtered>
 class OccludedBeam {
 public:
+    static constexpr float kTinySide = 0.3f; // see ClosestBeam
+
     HWY_ATTR OccludedBeam(const Target& target, Beam& beam, const RayStream& rays,
                           const Filter& filter)
-        : target_(target), beam_(beam), rays_(rays), filter_(filter) {}
+        : target_(target), beam_(beam), rays_(rays), filter_(filter), planes_(beam) {}
 
     HWY_ATTR void trace(uint8_t* occluded) {
         visit_beam(target_, beam_, *this);
-        for (uint32_t i = 0; i < beam_.count; ++i)
-            occluded[beam_.first + i] = blocked_[i / kGroupRays] >> i % kGroupRays & 1;
+        report(occluded + beam_.first);
     }
 
     HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
@@ -136,6 +141,11 @@ public:
         const bool changed =
             open && judge_group<false>(beam_, rays_, facets, block, lane, group, open, *this);
         if (certain || changed) beam_.update_limit(group);
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t find_before(const Facets& facets, uint32_t lane,
+                                             uint32_t mask) const {
+        return planes_.find_before(facets, lane, mask);
     }
 
     HWY_INLINE HWY_ATTR V8 end(uint32_t at) const {
@@ -170,10 +180,23 @@ private:
         hn::Store(hn::IfThenElse(lanes, hn::Set(k8, kNever), limit), k8, beam_.limit + at);
     }
 
+    // A byte for each bit.
+    void report(uint8_t* occluded) const {
+        uint32_t i = 0;
+        for (; i + 8 <= beam_.count; i += 8) {
+            const uint64_t bits = blocked_[i / kGroupRays] >> i % kGroupRays & 255;
+            const uint64_t apart = bits * 0x0101010101010101 & 0x8040201008040201;
+            const uint64_t bytes = (apart + 0x7f7f7f7f7f7f7f7f) >> 7 & 0x0101010101010101;
+            std::memcpy(occluded + i, &bytes, 8);
+        }
+        for (; i < beam_.count; ++i) occluded[i] = blocked_[i / kGroupRays] >> i % kGroupRays & 1;
+    }
+
     const Target& target_;
     Beam& beam_;
     const RayStream& rays_;
     const Filter& filter_;
+    LimitPlanes planes_;
     uint32_t blocked_[kGroups] = {}; // bits
 };
 

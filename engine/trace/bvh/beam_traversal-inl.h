@@ -41,7 +41,10 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
         if (count - first < accel::bvh::kBlockWidth) lanes &= (1u << (count - first)) - 1;
         for (; lanes; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(__builtin_ctz(lanes));
-            const GroupsOfFacet groups = find_groups(beam, facets, lane, mask);
+            uint32_t meeting = find_meeting(beam, facets, lane, mask);
+            if (meeting != 0) meeting = kernel.find_before(facets, lane, meeting);
+            if (meeting == 0) continue;
+            const GroupsOfFacet groups = find_groups(beam, facets, lane, meeting);
             for (uint32_t left = groups.open; left; left &= left - 1) {
                 const uint32_t group = uint32_t(__builtin_ctz(left));
                 const Candidates rays =
@@ -84,7 +87,7 @@ HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
         ++visited;
         const Node& node = target.bvh_nodes[entry.link.node()];
         BeamChildren children;
-        children.find(beam, node, window, limit);
+        children.find(beam, node, window, limit, Kernel::kTinySide);
         const uint32_t bottom = depth;
         for (uint32_t bits = children.entered; bits; bits &= bits - 1) {
             const uint32_t child = uint32_t(__builtin_ctz(bits));

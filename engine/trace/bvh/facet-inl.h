@@ -36,7 +36,8 @@ using accel::bvh::Block;
 //
 // A triangle whose orientation is within the tolerance, because it is seen edge-on or is tiny, is
 // judged by the window that it fills instead: by the theorem of geometry/intersect.h, hits are
-// within 8.1 e D of it.
+// within 8.1 e D of it. The others' windows cut off what all three edges let through beyond the
+// corners of small or thin triangles.
 struct Facets {
     // By edge and triangle. Those seen from behind have their signs turned: rays inside are where
     // all three are positive.
@@ -49,8 +50,10 @@ struct Facets {
     alignas(16) float beyond_tolerance[4];
     alignas(16) float nearest[4];      // no hit has a smaller z
     alignas(16) float vertex[3][3][4]; // relative to the origin: vertex, axis (x, y, z), triangle
-    alignas(16) float p0[4], p1[4], q0[4], q1[4]; // windows of those in `by_window`
-    uint32_t by_window;                           // bits: of uncertain orientation
+    alignas(16) float across[3][2][4], along[3][4]; // vertex, x and y from the centre
+    alignas(16) float reach[4];                     // D or more
+    alignas(16) float p0[4], p1[4], q0[4], q1[4];   // windows of those returned
+    uint32_t by_window;                             // bits: of uncertain orientation
 
     // Returns the triangles that rays in `window` may hit up to the z of `limit`.
     HWY_ATTR uint32_t project(const Beam& beam, const Block& block, const Window& window,
@@ -68,7 +71,8 @@ inline HWY_ATTR uint32_t Facets::find_windows(const V4 (&x)[3], const V4 (&y)[3]
     const V4 infinity = hn::Set(k4, std::numeric_limits<float>::infinity());
     V4 low_p = infinity, high_p = hn::Neg(infinity), low_q = infinity, high_q = hn::Neg(infinity);
     for (int i = 0; i < 3; ++i) {
-        const V4 p = hn::Div(x[i], z[i]), q = hn::Div(y[i], z[i]);
+        const V4 inverse = hn::Div(hn::Set(k4, 1.0f), z[i]);
+        const V4 p = hn::Mul(x[i], inverse), q = hn::Mul(y[i], inverse);
         low_p = hn::Min(low_p, p);
         high_p = hn::Max(high_p, p);
         low_q = hn::Min(low_q, q);
@@ -108,6 +112,9 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
         z[i] = hn::Mul(vz, sign);
         x[i] = hn::NegMulAdd(cp, z[i], vx);
         y[i] = hn::NegMulAdd(cq, z[i], vy);
+        hn::Store(x[i], k4, across[i][0]);
+        hn::Store(y[i], k4, across[i][1]);
+        hn::Store(z[i], k4, along[i]);
         reach_across = hn::Max(reach_across, hn::Max(hn::Abs(x[i]), hn::Abs(y[i])));
         reach_along = hn::Max(reach_along, hn::Abs(z[i]));
         least_z = hn::Min(least_z, z[i]);
@@ -122,6 +129,7 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
     const V4 e =
         hn::MulAdd(hn::Mul(hn::Set(k4, 0x1p-17f), r), hn::Add(d, r), hn::Set(k4, 0x1p-140f));
     hn::Store(e, k4, tolerance);
+    hn::Store(d, k4, reach);
 
     const V4 p0 = hn::Set(k4, window.p0), p1 = hn::Set(k4, window.p1);
     const V4 q0 = hn::Set(k4, window.q0), q1 = hn::Set(k4, window.q1);
@@ -177,9 +185,9 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
     hn::Store(hn::MulAdd(range, e4, hn::Set(k4, 0x1p-100f)), k4, beyond_tolerance);
     by_window = ~bits_of(k4, hn::Or(front, back)) & 15u;
     const uint32_t near_enough = bits_of(k4, hn::Le(nearest_z, hn::Set(k4, limit)));
-    uint32_t seen = bits_of(k4, hn::Ge(most, hn::Neg(e))) & ~by_window;
-    if (by_window & near_enough) seen |= find_windows(x, y, z, least_z, d, window) & by_window;
-    return seen & near_enough;
+    const uint32_t seen = bits_of(k4, hn::Ge(most, hn::Neg(e))) | by_window;
+    if ((seen & near_enough) == 0) return 0;
+    return seen & near_enough & find_windows(x, y, z, least_z, d, window);
 }
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
