@@ -127,7 +127,8 @@ rt_commit_report to_report(const scene::CommitReport& in) {
     out.commit_ms = in.commit_ms;
     out.light_count = in.light_count;
     out.instance_count = in.instance_count;
-    out.rebuilt = in.fixed_rebuilt ? 1 : 0;
+    out.rebuilt = in.fixed_rebuilt || in.deforming_rebuilt ? 1 : 0;
+    out.static_rebuilt = in.fixed_rebuilt ? 1 : 0;
     out.dynamic_rebuilt = in.deforming_rebuilt ? 1 : 0;
     out.structure = to_host(in.fixed->structure);
     out.quality = rt_build_quality(in.build.quality);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t kChunk = 1024; // rays: as many as a tile of a frame
 static_assert(kChunk <= trace::kMaxStream);
-constexpr uint32_t kPad = 16;     // to a multiple of this
+constexpr uint32_t kPad = 16; // to a multiple of this
 
 template <class T>
 struct alignas(64) Lane {
@@ -176,7 +176,7 @@ void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trac
     for_each_chunk(snapshot, rays, coherence,
                    [&](const trace::RayStream& stream, uint64_t first, uint32_t count) {
                        trace::closest(snapshot.world, stream, filter,
-                                                        chunk.begin(hits, first, count));
+                                      chunk.begin(hits, first, count));
                        chunk.end(hits, first, count);
                    });
 }
@@ -186,8 +186,7 @@ void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const tr
     Lane<uint8_t> room;
     for_each_chunk(snapshot, rays, coherence,
                    [&](const trace::RayStream& stream, uint64_t first, uint32_t count) {
-                       trace::occluded(snapshot.world, stream, filter,
-                                                         room.value);
+                       trace::occluded(snapshot.world, stream, filter, room.value);
                        std::byte* place = occluded.data + first * occluded.stride;
                        if (occluded.stride == 1) {
                            std::memcpy(place, room.value, count);

@@ -44,7 +44,8 @@ Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit) {
     surface.geometric_normal = placed.geometric_normal(hit.triangle);
     surface.shading_normal = placed.shading_normal(hit.triangle, hit.u, hit.v);
     if (!data.surface->texcoords.empty())
-        surface.texcoord = math::Vec2(blend<glm::dvec2>(data.surface->texcoords, corners, hit.u, hit.v));
+        surface.texcoord =
+            math::Vec2(blend<glm::dvec2>(data.surface->texcoords, corners, hit.u, hit.v));
     surface.material = {material.slot, material.generation};
     surface.material_user_data = material.user_data;
     surface.mesh_user_data = mesh.user_data;

@@ -78,7 +78,8 @@ Commit::GeometryPointer Commit::build(MeshKind kind, const BuildChoice& choice,
     const auto& slots = scene_.meshes.slots();
     uint64_t count = 0;
     for (const auto& slot : slots)
-        if (slot.object && shows(*slot.object, kind)) count += slot.object->data->triangles().size();
+        if (slot.object && shows(*slot.object, kind))
+            count += slot.object->data->triangles().size();
     check_count(count, kind == MeshKind::fixed ? "the scene's static meshes have"
                                                : "the scene's dynamic meshes have");
     geometry->triangles.reserve(count);
@@ -97,8 +98,8 @@ void Commit::build_parts() {
     };
     const bool keep_fixed =
         keep(MeshKind::fixed, scene_.fixed_) && scene_.fixed_build_ == options_.build.relevant();
-    snapshot_.fixed = keep_fixed ? scene_.fixed_
-                                 : build(MeshKind::fixed, options_.build, options_.progress);
+    snapshot_.fixed =
+        keep_fixed ? scene_.fixed_ : build(MeshKind::fixed, options_.build, options_.progress);
     snapshot_.deforming = keep(MeshKind::deforming, scene_.deforming_)
                               ? scene_.deforming_
                               : build(MeshKind::deforming, kDeformingBuild, {});
@@ -151,8 +152,8 @@ void Commit::place_instances() {
         snapshot_.meshes[i].shape = shape;
         if (mesh.hidden || shape->infos.empty()) continue;
         if (!mesh.extent_is_known) {
-            mesh.extent = trace::extent_of(mesh.placement.to_world, mesh.placement.to_local,
-                                           shape->bounds());
+            mesh.extent =
+                trace::extent_of(mesh.placement.to_world, mesh.placement.to_local, shape->bounds());
             mesh.extent_is_known = true;
         }
         trace::AlphaTest alpha;
@@ -166,8 +167,9 @@ void Commit::place_instances() {
         scene_.extents_.push_back(mesh.extent);
     }
     if (snapshot_.instances.size() > accel::instances::kMaxInstances)
-        base::fail(base::Code::limit, "the scene has %zu rigid meshes and instances; at most %u "
-                                      "are supported",
+        base::fail(base::Code::limit,
+                   "the scene has %zu rigid meshes and instances; at most %u "
+                   "are supported",
                    snapshot_.instances.size(), accel::instances::kMaxInstances);
     accel::instances::build(scene_.extents_, scene_.order_, snapshot_.instance_nodes);
     world.instances = snapshot_.instances.data();

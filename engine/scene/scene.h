@@ -74,8 +74,8 @@ struct CommitReport {
     std::shared_ptr<const Geometry> deforming;
     BuildChoice build;
     uint32_t features = 0;
-    uint64_t shape_triangles = 0; // of rigid meshes; instances of one count once, here and below
-    uint64_t shape_bytes = 0;     // of their triangles and nodes
+    uint64_t shape_triangles = 0;  // of rigid meshes; instances of one count once, here and below
+    uint64_t shape_bytes = 0;      // of their triangles and nodes
     uint64_t degenerate_count = 0; // of all kinds
     uint64_t non_finite_count = 0;
     uint64_t bytes_attributes = 0;
@@ -134,7 +134,7 @@ private:
     std::shared_ptr<const Geometry> fixed_;
     std::shared_ptr<const Geometry> deforming_;
     std::shared_ptr<const MaterialSet> material_set_;
-    BuildChoice fixed_build_; // what is relevant of it
+    BuildChoice fixed_build_;              // what is relevant of it
     bool changed_[3] = {true, true, true}; // by MeshKind
     uint64_t materials_version_ = 1;
     uint64_t material_set_version_ = 0; // of materials_version_ that material_set_ shows

@@ -46,8 +46,7 @@ struct Snapshot {
 
     explicit Snapshot(base::Memory* memory)
         : meshes(memory), layer_masks(memory), generations(memory), lights(memory),
-          placements(memory), instances(memory), instance_nodes(memory),
-          instance_alphas(memory) {}
+          placements(memory), instances(memory), instance_nodes(memory), instance_alphas(memory) {}
 
     const Material& material_of(const Mesh& mesh, uint32_t primitive) const {
         return material_set->materials[mesh.materials->of(primitive)];

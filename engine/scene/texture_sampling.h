@@ -90,7 +90,7 @@ inline math::Vec2 transform(const TextureUse& use, const math::Vec2& uv) {
 
 // The texture coordinates of a vertex; (0, 0) if the mesh has none in this set.
 inline math::Vec2 vertex_texcoord(const MeshData& mesh, uint32_t vertex, uint32_t set) {
-    const base::Vector<math::Vec2>& texcoords = 
+    const base::Vector<math::Vec2>& texcoords =
         set == 0 ? mesh.surface->texcoords : mesh.surface->texcoords1;
     return texcoords.empty() ? math::Vec2(0) : texcoords[vertex];
 }

@@ -50,7 +50,7 @@ struct Outcome {
         EXPECT_OK(rt_create_scene(&desc, &world.scene));
         EXPECT_OK(describe_world(world));
         EXPECT_OK(rt_commit_scene(world.scene, nullptr, &report));
-        report.build_ms = report.commit_ms = 0;
+        report.build_ms = report.dynamic_build_ms = report.commit_ms = 0;
         answers = test::answers(world.scene);
         pixels = render(world.scene, 130, 70);
         EXPECT_FALSE(pixels.empty());

@@ -56,8 +56,7 @@ void expect_same_as_sample(Wrap wrap_u, Wrap wrap_v, Sampling sampling, Texture:
     const Pinhole pinhole(Camera{}, 61, 47);
     for (uint32_t y = 0; y < 47; ++y)
         for (uint32_t x = 0; x < 61; ++x) {
-            const trace::Hit hit =
-                trace::closest(snapshot.world, pinhole.primary(x, y), {});
+            const trace::Hit hit = trace::closest(snapshot.world, pinhole.primary(x, y), {});
             const auto& triangle = snapshot.world.fixed.target.infos[hit.triangle];
             const auto& vertices = snapshot.meshes[0].data->triangles()[triangle.primitive];
             Vec2 uv[3];

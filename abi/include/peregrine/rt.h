@@ -354,8 +354,8 @@ static inline rt_mesh_update rt_default_mesh_update(void) {
 RT_EXPORT rt_result rt_update_dynamic_mesh(rt_scene scene, rt_mesh mesh,
                                            const rt_mesh_update* update) RT_NOEXCEPT;
 
-/* Adds a mesh that moves as a whole (rt_set_mesh_transform): a door, a crate, a gun. Its structure is
- * built once, by the next commit; moving it costs the same for ten triangles as for a million.
+/* Adds a mesh that moves as a whole (rt_set_mesh_transform): a door, a crate, a gun. Its structure
+ * is built once, by the next commit; moving it costs the same for ten triangles as for a million.
  * It stands where its vertices are until it is moved. Errors as above. */
 RT_EXPORT rt_result rt_add_rigid_mesh(rt_scene scene, const rt_mesh_desc* desc,
                                       rt_mesh* out_mesh) RT_NOEXCEPT;
@@ -530,14 +530,16 @@ typedef struct rt_commit_report {
     double build_ms;           /* wall time of the structure alone */
     double commit_ms;          /* wall time of the whole call */
     uint32_t light_count;
-    uint32_t rebuilt;         /* 0: no static mesh had changed and their structure was kept */
+    uint32_t rebuilt;         /* 0: no static or dynamic mesh had changed, structures were kept */
     rt_structure structure;   /* of the static meshes; never AUTO */
     rt_build_quality quality; /* as asked for */
     uint64_t dynamic_triangle_count; /* of triangle_count: of dynamic meshes ... */
     uint64_t rigid_triangle_count;   /* ... and of rigid ones */
     uint32_t instance_count;         /* rigid meshes and instances that are not hidden */
-    uint32_t dynamic_rebuilt;        /* 1: a dynamic mesh had changed */
-    double dynamic_build_ms;         /* wall time of their structure alone, whenever it was built */
+    uint32_t static_rebuilt;         /* 1: of `rebuilt`, the structure of the static meshes ... */
+    uint32_t dynamic_rebuilt;        /* ... and that of the dynamic ones */
+    uint32_t reserved;
+    double dynamic_build_ms; /* wall time of the latter alone, whenever it was built */
 } rt_commit_report;
 
 static inline rt_commit_report rt_default_commit_report(void) {

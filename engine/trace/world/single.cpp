@@ -100,7 +100,8 @@ Hit closest_of_moving(const World& world, const math::Ray& ray, const Filter& fi
         math::Ray local;
         if (!sees(filter, instance) || !to_local(instance.to_local, left, local)) return false;
         const Part& part = instance.part;
-        take_first(world, part.kernels->closest(part.target, local, filter_within(filter, instance)),
+        take_first(world,
+                   part.kernels->closest(part.target, local, filter_within(filter, instance)),
                    part.first, best);
         left.t_max = std::min(ray.t_max, best.t);
         return false;

@@ -161,8 +161,8 @@ private:
         const math::Box& b = world_.nodes[children[1]].extent.box;
         float order = 0;
         for (int k = 0; k < 3; ++k)
-            order += rays_.direction[k][ray]
-                     * ((b.lower[k] + b.upper[k]) - (a.lower[k] + a.upper[k]));
+            order +=
+                rays_.direction[k][ray] * ((b.lower[k] + b.upper[k]) - (a.lower[k] + a.upper[k]));
         return order >= 0;
     }
 

@@ -27,8 +27,9 @@ geometry::TriangleInfo moving_info(const World& world, uint32_t triangle) {
         return world.deforming.target.infos[triangle - world.deforming.first];
     const Instance* const end = world.instances + world.instance_count;
     const Instance& instance =
-        std::upper_bound(world.instances, end, triangle,
-                         [](uint32_t number, const Instance& i) { return number < i.part.first; })[-1];
+        std::upper_bound(world.instances, end, triangle, [](uint32_t number, const Instance& i) {
+            return number < i.part.first;
+        })[-1];
     geometry::TriangleInfo info = instance.part.target.infos[triangle - instance.part.first];
     info.mesh = instance.mesh;
     return info;

@@ -59,8 +59,7 @@ inline bool to_local(const math::Affine& to_local, const math::Ray& ray, math::R
         return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     };
     const float length = largest(direction);
-    return largest(origin) <= 1e30f && length > 0
-           && length <= std::numeric_limits<float>::max();
+    return largest(origin) <= 1e30f && length > 0 && length <= std::numeric_limits<float>::max();
 }
 
 // What an instance whose mesh fills `local` fills of the world.
