@@ -125,20 +125,22 @@ private:
         for (uint32_t i = 0; i < entry.count; i += 16)
             _mm256_store_si256(reinterpret_cast<__m256i*>(ids_ + i),
                                _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ids + i)));
-        test_children(node, octant, entry.count);
+        const uint32_t entered = test_children(node, octant, entry.count);
         if constexpr (Any)
-            return meet_leaves(node, entry, depth, on_hit);
+            return meet_leaves(node, entered, entry, depth, on_hit);
         else
             return push_children(node, octant, entry, depth);
     }
 
-    HWY_INLINE HWY_ATTR void test_children(const Node& node, uint32_t octant, uint32_t count) {
+    // Returns the children that any ray enters: bits.
+    HWY_INLINE HWY_ATTR uint32_t test_children(const Node& node, uint32_t octant, uint32_t count) {
         V8 enter_plane[3], leave_plane[3];
         for (uint32_t k = 0; k < 3; ++k) {
             const bool negative = octant >> k & 1;
             enter_plane[k] = hn::Load(k8, negative ? node.upper[k] : node.lower[k]);
             leave_plane[k] = hn::Load(k8, negative ? node.lower[k] : node.upper[k]);
         }
+        uint32_t any = 0;
         for (uint32_t i = 0; i < count; ++i) {
             WaveRay& ray = ray_[ids_[i]];
             const auto enter = [&](int k) HWY_ATTR {
@@ -153,11 +155,14 @@ private:
                 hn::Max(hn::Max(enter(0), enter(1)), hn::Max(enter(2), hn::Set(k8, ray.t_near)));
             const V8 t_far =
                 hn::Min(hn::Min(leave(0), leave(1)), hn::Min(leave(2), hn::Set(k8, ray.t_limit)));
-            entered_[i] = uint8_t(bits_of(k8, hn::Le(t_near, t_far)));
+            const uint32_t entered = bits_of(k8, hn::Le(t_near, t_far));
+            entered_[i] = uint8_t(entered);
+            any |= entered;
             if (!Any) ++ray.steps;
         }
         // Beyond the list, up to a whole vector, nothing enters.
         __builtin_memset(entered_ + count, 0, 8);
+        return any;
     }
 
     // Writes those of `values`, a vector of eight at a time, that enter the child to `out`; returns
@@ -206,9 +211,13 @@ private:
 
     // Leaves first, so that rays that hit something drop out of the other children.
     template <class OnHit>
-    HWY_INLINE HWY_ATTR uint32_t meet_leaves(const Node& node, const Entry& entry, uint32_t depth,
-                                             OnHit&& on_hit) {
-        for (uint32_t leaves = leaves_of(node); leaves; leaves &= leaves - 1) {
+    HWY_INLINE HWY_ATTR uint32_t meet_leaves(const Node& node, uint32_t entered, const Entry& entry,
+                                             uint32_t depth, OnHit&& on_hit) {
+        uint32_t leaves = entered & leaves_of(node);
+        uint32_t inner = entered & ~leaves;
+        for (uint32_t rest = leaves; rest; rest &= rest - 1)
+            prefetch(node.child[std::countr_zero(rest)]);
+        for (; leaves; leaves &= leaves - 1) {
             const uint32_t child = uint32_t(std::countr_zero(leaves));
             if constexpr (Filtered) {
                 const uint32_t count = gather_rays(child, entry.count, leaf_);
@@ -223,7 +232,7 @@ private:
         }
         if (test_count_ > 0) settle(on_hit);
         uint32_t end = entry.begin;
-        for (uint32_t inner = inner_of(node); inner; inner &= inner - 1)
+        for (; inner; inner &= inner - 1)
             depth = push(node, uint32_t(std::countr_zero(inner)), entry, depth, end);
         return depth;
     }
@@ -258,12 +267,6 @@ private:
         on_hit(ray.index, hit);
         ray.t_limit = hit ? kNever : ray.t_limit;
         entered_[at] = hit ? 0 : entered_[at];
-    }
-
-    static HWY_INLINE HWY_ATTR uint32_t inner_of(const Node& node) {
-        const __m256i links = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.child));
-        return uint32_t(_mm256_movemask_ps(
-            _mm256_castsi256_ps(_mm256_cmpgt_epi32(links, _mm256_setzero_si256()))));
     }
 
     // Leaves in a row share the decisions: what the float filter lets through waits in `tests_`.
