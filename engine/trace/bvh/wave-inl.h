@@ -129,7 +129,7 @@ private:
         if constexpr (Any)
             return meet_leaves(node, entered, entry, depth, on_hit);
         else
-            return push_children(node, octant, entry, depth);
+            return push_children(node, entered, octant, entry, depth);
     }
 
     // Returns the children that any ray enters: bits.
@@ -190,14 +190,14 @@ private:
         });
     }
 
-    HWY_INLINE HWY_ATTR uint32_t push_children(const Node& node, uint32_t octant,
+    HWY_INLINE HWY_ATTR uint32_t push_children(const Node& node, uint32_t entered, uint32_t octant,
                                                const Entry& entry, uint32_t depth) {
         uint32_t end = entry.begin;
         const uint32_t order = node.order[octant];
         for (uint32_t shift = 24; shift > 0;) {
             shift -= 3;
             const uint32_t child = order >> shift & 7;
-            depth = push(node, child, entry, depth, end);
+            if (entered >> child & 1) depth = push(node, child, entry, depth, end);
         }
         return depth;
     }
