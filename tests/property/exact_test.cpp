@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cstdlib>
+#include <string_view>
 #include <thread>
 
 namespace peregrine::test {
@@ -32,6 +34,12 @@ struct NamedStructure {
 constexpr NamedStructure kStructures[] = {{trace::Structure::bvh, "bvh"},
                                           {trace::Structure::kdtree, "kdtree"},
                                           {trace::Structure::bih, "bih"}};
+
+// $PEREGRINE_STRUCTURE names the one to look at, for long runs; otherwise all.
+bool is_wanted(const NamedStructure& structure) {
+    const char* const wanted = std::getenv("PEREGRINE_STRUCTURE");
+    return !wanted || std::string_view(wanted) == structure.name;
+}
 
 struct NamedHint {
     trace::Coherence hint;
@@ -206,11 +214,13 @@ void compare_all(const World& world, const std::vector<RaySet>& sets,
                  const trace::Filter& filter = {}) {
     const std::vector<Answers> expected = ask_brute_force(world, sets, filter);
     for (const NamedStructure& structure : kStructures)
-        compare_structure(structure, world.target(), sets, expected, filter);
+        if (is_wanted(structure))
+            compare_structure(structure, world.target(), sets, expected, filter);
 }
 
 // The BVH's other build qualities.
 void compare_qualities(World& world, const std::vector<RaySet>& sets) {
+    if (!is_wanted(kStructures[0])) return;
     const std::vector<Answers> expected = ask_brute_force(world, sets, {});
     base::Scheduler scheduler(2, {}, &world.memory);
     for (const auto& [quality, name] : {std::pair(accel::bvh::Quality::fast, "fast bvh"),

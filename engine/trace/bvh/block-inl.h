@@ -21,15 +21,76 @@ namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
 using namespace trace::HWY_NAMESPACE;
 
+// The edge functions in float. Rounding is monotone: one that is not 0 has the sign of the exact
+// one, so `outside` lanes are missed for certain, and in `inside` lanes only t can miss.
+template <class V>
+struct EdgeSigns {
+    V u, v, w;
+    hn::MFromD<hn::DFromV<V>> outside, inside;
+
+    HWY_INLINE HWY_ATTR explicit EdgeSigns(const Sheared<V>& s) : u(s.u()), v(s.v()), w(s.w()) {
+        const V zero = hn::Zero(hn::DFromV<V>());
+        outside = trace::HWY_NAMESPACE::outside(u, v, w);
+        inside = hn::Or(hn::Gt(hn::Min(u, hn::Min(v, w)), zero),
+                        hn::Lt(hn::Max(u, hn::Max(v, w)), zero));
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t maybe() const {
+        constexpr hn::DFromV<V> d;
+        return ~bits_of(d, outside) & ((1u << hn::MaxLanes(d)) - 1);
+    }
+};
+
+// By how much t lies inside its range, in float and without a division: the lesser of
+// depth - t_min |dz| |det| and t_max |dz| |det| - depth, and how far off that can be.
+//
+// With X, Y, Z the largest |x|, |y|, |z| of a triangle, T the largest |t dz| of interest,
+// Z <= D = `reach`, T <= 2 D, e = 2^-24: an edge function is at most 2 X Y and off by 4.1 e X Y; so
+// det is off by 22.4 e X Y, depth by 28.4 e X Y Z. Their part in the margin is 73.2 e X Y D; the
+// products with T, the differences and the rounding of the exact t to float add 48 e X Y D. The sum
+// is 121.2 e X Y D; 128 are taken, and 2^-100 for what is lost in the denormal range. (Should the
+// float det have the wrong sign, then it and the exact one are below 22.4 e X Y, and the margin is
+// within the same bound.) All numbers on the way are below 32 X Y D: where one overflows, so does
+// that, and nothing is certain.
+//
+// Beyond +-2 D there is nothing to hit: z_min is t_min |dz| or -2 D, z_max t_max |dz| or 2 D.
+template <class V>
+struct RangeMargin {
+    V margin, error;
+
+    // `scale` is 32 D with the sign of dz.
+    HWY_INLINE HWY_ATTR RangeMargin(const Sheared<V>& s, const EdgeSigns<V>& e, V z_min, V z_max,
+                                    V scale) {
+        constexpr hn::DFromV<V> d;
+        const V det = hn::Add(hn::Add(e.u, e.v), e.w);
+        const V depth = hn::MulAdd(e.w, s.cz, hn::MulAdd(e.v, s.bz, hn::Mul(e.u, s.az)));
+        const V sign = hn::And(hn::Xor(det, scale), hn::Set(d, -0.0f));
+        const V along = hn::Xor(depth, sign);
+        const V size = hn::Abs(det);
+        margin = hn::Min(hn::NegMulAdd(z_min, size, along), hn::MulSub(z_max, size, along));
+        const auto largest = [](V a, V b, V c) HWY_ATTR {
+            return hn::Max(hn::Abs(a), hn::Max(hn::Abs(b), hn::Abs(c)));
+        };
+        const V xy = hn::Mul(largest(s.ax, s.bx, s.cx), largest(s.ay, s.by, s.cy));
+        const V most = hn::Mul(xy, hn::Abs(scale));
+        error = hn::MulAdd(most, hn::Set(d, 0x1p-21f), hn::Set(d, 0x1p-100f));
+    }
+
+    HWY_INLINE HWY_ATTR auto in_range() const { return hn::Gt(margin, error); }
+    HWY_INLINE HWY_ATTR uint32_t maybe() const {
+        constexpr hn::DFromV<V> d;
+        return ~bits_of(d, hn::Lt(margin, hn::Neg(error))) & ((1u << hn::MaxLanes(d)) - 1);
+    }
+};
+
 // What of a ray the test needs, in all lanes.
 struct BlockRay {
     V4 ox, oy, oz;
     V4 sx, sy;
     Vd dz;
     float t_min, t_max;
-    V4 dz_abs, reach;  // |d[kz]|; the largest |vertex - origin| along an axis, or more
-    V4 z_sign;         // the sign of d[kz]
-    size_t kx, ky, kz; // offsets of the axes in a vertex of a block, in floats
+    V4 dz_abs, z_min, limit, scale; // as RangeMargin has them; limit is 2 D
+    size_t kx, ky, kz;              // offsets of the axes in a vertex of a block, in floats
 
     // geometry::shear, without a branch on which axis is the largest.
     HWY_INLINE HWY_ATTR BlockRay(const RayLanes& lanes, const math::Ray& ray) {
@@ -49,8 +110,9 @@ struct BlockRay {
         sy = hn::Broadcast<1>(slope);
         dz = promote_part(along, 0);
         dz_abs = hn::Abs(along);
-        z_sign = hn::And(along, hn::Set(k4, -0.0f));
-        reach = lanes.reach;
+        limit = hn::Add(lanes.reach, lanes.reach);
+        scale = hn::CopySign(hn::Mul(hn::Set(k4, 32.0f), lanes.reach), along);
+        z_min = hn::Max(hn::Mul(hn::Set(k4, ray.t_min), dz_abs), hn::Neg(limit));
         t_min = ray.t_min;
         constexpr float kLargest = std::numeric_limits<float>::max();
         t_max = ray.t_max < kLargest ? ray.t_max : kLargest;
@@ -62,61 +124,10 @@ struct BlockRay {
     HWY_INLINE HWY_ATTR Sheared<V4> relative(const Block& block) const {
         return relative_to(block, kx, ky, kz, ox, oy, oz, sx, sy);
     }
-};
-
-// The edge functions in float. Rounding is monotone: one that is not 0 has the sign of the exact
-// one, so `outside` lanes are missed for certain, and in `inside` lanes only t can miss.
-struct EdgeSigns {
-    V4 u, v, w;
-    M4 outside, inside;
-
-    HWY_INLINE HWY_ATTR explicit EdgeSigns(const Sheared<V4>& s) : u(s.u()), v(s.v()), w(s.w()) {
-        const V4 zero = hn::Zero(k4);
-        outside = trace::HWY_NAMESPACE::outside(u, v, w);
-        inside = hn::Or(hn::Gt(hn::Min(u, hn::Min(v, w)), zero),
-                        hn::Lt(hn::Max(u, hn::Max(v, w)), zero));
-    }
-
-    HWY_INLINE HWY_ATTR uint32_t maybe() const { return ~bits_of(k4, outside) & 15u; }
-};
-
-// By how much t lies inside its range, in float and without a division: the lesser of
-// depth - t_min |dz| |det| and t_max |dz| |det| - depth, and how far off that can be.
-//
-// With X, Y, Z the largest |x|, |y|, |z| of a triangle, T the largest |t dz| of interest,
-// Z <= D = `reach`, T <= 2 D, e = 2^-24: an edge function is at most 2 X Y and off by 4.1 e X Y; so
-// det is off by 22.4 e X Y, depth by 28.4 e X Y Z. Their part in the margin is 73.2 e X Y D; the
-// products with T, the differences and the rounding of the exact t to float add 48 e X Y D. The sum
-// is 121.2 e X Y D; 128 are taken, and 2^-100 for what is lost in the denormal range. (Should the
-// float det have the wrong sign, then it and the exact one are below 22.4 e X Y, and the margin is
-// within the same bound.) All numbers on the way are below 32 X Y D: where one overflows, so does
-// that, and nothing is certain.
-struct RangeMargin {
-    V4 margin, error;
-
-    HWY_INLINE HWY_ATTR RangeMargin(const BlockRay& ray, const Sheared<V4>& s, const EdgeSigns& e,
-                                    float t_max) {
-        const V4 det = hn::Add(hn::Add(e.u, e.v), e.w);
-        const V4 depth = hn::MulAdd(e.w, s.cz, hn::MulAdd(e.v, s.bz, hn::Mul(e.u, s.az)));
-        const V4 sign = hn::And(hn::Xor(det, ray.z_sign), hn::Set(k4, -0.0f));
-        const V4 along = hn::Xor(depth, sign);
-        const V4 size = hn::Abs(det);
-        // Beyond +-2 D there is nothing to hit.
-        const V4 limit = hn::Add(ray.reach, ray.reach);
-        const V4 z_min = hn::Max(hn::Mul(hn::Set(k4, ray.t_min), ray.dz_abs), hn::Neg(limit));
-        const V4 z_max = hn::Min(hn::Mul(hn::Set(k4, t_max), ray.dz_abs), limit);
-        margin = hn::Min(hn::NegMulAdd(z_min, size, along), hn::MulSub(z_max, size, along));
-        const auto largest = [](V4 a, V4 b, V4 c) HWY_ATTR {
-            return hn::Max(hn::Abs(a), hn::Max(hn::Abs(b), hn::Abs(c)));
-        };
-        const V4 xy = hn::Mul(largest(s.ax, s.bx, s.cx), largest(s.ay, s.by, s.cy));
-        const V4 most = hn::Mul(xy, hn::Mul(hn::Set(k4, 32.0f), ray.reach));
-        error = hn::MulAdd(most, hn::Set(k4, 0x1p-21f), hn::Set(k4, 0x1p-100f));
-    }
-
-    HWY_INLINE HWY_ATTR M4 in_range() const { return hn::Gt(margin, error); }
-    HWY_INLINE HWY_ATTR uint32_t maybe() const {
-        return ~bits_of(k4, hn::Lt(margin, hn::Neg(error))) & 15u;
+    HWY_INLINE HWY_ATTR RangeMargin<V4> range(const Sheared<V4>& s, const EdgeSigns<V4>& e,
+                                              float end) const {
+        const V4 z_max = hn::Min(hn::Mul(hn::Set(k4, end), dz_abs), limit);
+        return {s, e, z_min, z_max, scale};
     }
 };
 
@@ -124,10 +135,10 @@ struct RangeMargin {
 HWY_INLINE HWY_ATTR bool intersect(const BlockRay& ray, const Block& block, float t_max,
                                    BlockHits& hits) {
     const Sheared<V4> sheared = ray.relative(block);
-    const EdgeSigns edges(sheared);
+    const EdgeSigns<V4> edges(sheared);
     uint32_t maybe = edges.maybe();
     if (maybe == 0) return false;
-    maybe &= RangeMargin(ray, sheared, edges, t_max).maybe();
+    maybe &= ray.range(sheared, edges, t_max).maybe();
     return maybe != 0 && decide_block<Details::all>(sheared, ray.dz, ray.t_min, t_max, hits);
 }
 
@@ -135,10 +146,10 @@ HWY_INLINE HWY_ATTR bool intersect(const BlockRay& ray, const Block& block, floa
 // through edges, and ends of rays on triangles.
 HWY_INLINE HWY_ATTR bool intersects(const BlockRay& ray, const Block& block) {
     const Sheared<V4> sheared = ray.relative(block);
-    const EdgeSigns edges(sheared);
+    const EdgeSigns<V4> edges(sheared);
     uint32_t maybe = edges.maybe();
     if (maybe == 0) return false;
-    const RangeMargin range(ray, sheared, edges, ray.t_max);
+    const RangeMargin<V4> range = ray.range(sheared, edges, ray.t_max);
     if (bits_of(k4, hn::And(edges.inside, range.in_range()))) return true;
     maybe &= range.maybe();
     if (maybe == 0) return false;

@@ -14,6 +14,7 @@
 #include "trace/bvh/plain.h"
 #include "trace/bvh/wave_blocks-inl.h"
 #include "trace/bvh/wave_rays-inl.h"
+#include "trace/bvh/wave_root-inl.h"
 
 #include <array>
 
@@ -54,11 +55,16 @@ public:
     HWY_ATTR void trace(const RayStream& rays, uint32_t first, uint32_t count,
                         Irregular&& irregular, OnHit&& hit, OnDone&& done) {
         for (uint32_t& n : octant_count_) n = 0;
-        start(rays, first, count, irregular);
-        for (uint32_t octant = 0; octant < 8; ++octant)
+        Swept swept(target_.bounds);
+        start(rays, first, count, swept, irregular);
+        for (uint32_t octant = 0; octant < 8; ++octant) {
+            if (octant_count_[octant] == 0) continue;
+            WaveRoot root;
+            const Node& entry = root.make(target_.bvh_nodes, swept, octant);
             for (uint32_t i = 0; i < octant_count_[octant]; i += kWaveRays)
-                run(octant, octant_[octant] + i, std::min(kWaveRays, octant_count_[octant] - i),
-                    hit);
+                run(entry, octant, octant_[octant] + i,
+                    std::min(kWaveRays, octant_count_[octant] - i), hit);
+        }
         if (!Any)
             for (uint32_t i = 0; i < count; ++i) done(first + i, ray_[i].steps);
     }
@@ -78,10 +84,11 @@ private:
     static constexpr uint32_t kEntries = accel::bvh::kStackSize + accel::bvh::kWidth;
 
     template <class Irregular>
-    HWY_ATTR void start(const RayStream& rays, uint32_t first, uint32_t count,
+    HWY_ATTR void start(const RayStream& rays, uint32_t first, uint32_t count, Swept& swept,
                         Irregular&& irregular) {
         for (uint32_t begin = 0; begin < count; begin += 8) {
-            const Launched launched = launch(target_.bounds, rays, first + begin, ray_ + begin);
+            const Launched launched =
+                launch(target_.bounds, rays, first + begin, ray_ + begin, swept);
             for (uint32_t i = 0; i < 8; ++i) {
                 const uint32_t octant = ray_[begin + i].octant;
                 octant_[octant][octant_count_[octant]] = Id(begin + i);
@@ -93,43 +100,47 @@ private:
     }
 
     template <class OnHit>
-    HWY_ATTR void run(uint32_t octant, const Id* ids, uint32_t count, OnHit&& on_hit) {
-        entries_[0] = {0, 0, count};
+    HWY_ATTR void run(const Node& root, uint32_t octant, const Id* ids, uint32_t count,
+                      OnHit&& on_hit) {
         std::copy_n(ids, count, lists_);
-        uint32_t depth = 1;
+        uint32_t depth = enter(root, octant, {0, 0, count}, 0, on_hit);
         while (depth > 0) {
             const Entry entry = entries_[--depth];
             const Link link{entry.link};
             if (depth > 0) prefetch(Link{entries_[depth - 1].link});
-            if (link.is_leaf()) {
+            if (!Any && link.is_leaf()) {
                 meet(link, lists_ + entry.begin, entry.count, on_hit);
-                if (Any) settle(on_hit); // hit rays drop out
             } else {
                 if (test_count_ > 0) settle(on_hit);
-                depth = enter(target_.bvh_nodes[link.node()], octant, entry, depth);
+                depth = enter(target_.bvh_nodes[link.node()], octant, entry, depth, on_hit);
             }
         }
         settle(on_hit);
     }
 
+    template <class OnHit>
     HWY_INLINE HWY_ATTR uint32_t enter(const Node& node, uint32_t octant, const Entry& entry,
-                                       uint32_t depth) {
+                                       uint32_t depth, OnHit&& on_hit) {
         const Id* ids = lists_ + entry.begin;
         for (uint32_t i = 0; i < entry.count; i += 16)
             _mm256_store_si256(reinterpret_cast<__m256i*>(ids_ + i),
                                _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ids + i)));
-        test_children(node, octant, entry.count);
-        depth = push_children(node, octant, entry, depth);
-        return depth;
+        const uint32_t entered = test_children(node, octant, entry.count);
+        if constexpr (Any)
+            return meet_leaves(node, entered, entry, depth, on_hit);
+        else
+            return push_children(node, entered, octant, entry, depth);
     }
 
-    HWY_INLINE HWY_ATTR void test_children(const Node& node, uint32_t octant, uint32_t count) {
+    // Returns the children that any ray enters: bits.
+    HWY_INLINE HWY_ATTR uint32_t test_children(const Node& node, uint32_t octant, uint32_t count) {
         V8 enter_plane[3], leave_plane[3];
         for (uint32_t k = 0; k < 3; ++k) {
             const bool negative = octant >> k & 1;
             enter_plane[k] = hn::Load(k8, negative ? node.upper[k] : node.lower[k]);
             leave_plane[k] = hn::Load(k8, negative ? node.lower[k] : node.upper[k]);
         }
+        uint32_t any = 0;
         for (uint32_t i = 0; i < count; ++i) {
             WaveRay& ray = ray_[ids_[i]];
             const auto enter = [&](int k) HWY_ATTR {
@@ -144,37 +155,118 @@ private:
                 hn::Max(hn::Max(enter(0), enter(1)), hn::Max(enter(2), hn::Set(k8, ray.t_near)));
             const V8 t_far =
                 hn::Min(hn::Min(leave(0), leave(1)), hn::Min(leave(2), hn::Set(k8, ray.t_limit)));
-            entered_[i] = uint8_t(bits_of(k8, hn::Le(t_near, t_far)));
+            const uint32_t entered = bits_of(k8, hn::Le(t_near, t_far));
+            entered_[i] = uint8_t(entered);
+            any |= entered;
             if (!Any) ++ray.steps;
         }
         // Beyond the list, up to a whole vector, nothing enters.
         __builtin_memset(entered_ + count, 0, 8);
+        return any;
     }
 
-    HWY_INLINE HWY_ATTR uint32_t push_children(const Node& node, uint32_t octant,
+    // Writes those of `values`, a vector of eight at a time, that enter the child to `out`; returns
+    // how many they are.
+    template <class Values>
+    HWY_INLINE HWY_ATTR uint32_t gather(uint32_t child, uint32_t count, Id* out,
+                                        Values&& values) const {
+        const __m128i to_top = _mm_cvtsi32_si128(int(7 - child));
+        Id* end = out;
+        for (uint32_t i = 0; i < count; i += 8) {
+            const __m128i entered = _mm_sll_epi16(
+                _mm_loadl_epi64(reinterpret_cast<const __m128i*>(entered_ + i)), to_top);
+            const uint32_t bits = uint32_t(_mm_movemask_epi8(entered)) & 255;
+            const __m128i compress =
+                _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.bytes[bits]));
+            _mm_storeu_si128(reinterpret_cast<__m128i*>(end),
+                             _mm_shuffle_epi8(values(i), compress));
+            end += uint32_t(__builtin_popcount(bits));
+        }
+        return uint32_t(end - out);
+    }
+    HWY_INLINE HWY_ATTR uint32_t gather_rays(uint32_t child, uint32_t count, Id* out) const {
+        return gather(child, count, out, [&](uint32_t i) HWY_ATTR {
+            return _mm_load_si128(reinterpret_cast<const __m128i*>(ids_ + i));
+        });
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t push_children(const Node& node, uint32_t entered, uint32_t octant,
                                                const Entry& entry, uint32_t depth) {
         uint32_t end = entry.begin;
         const uint32_t order = node.order[octant];
         for (uint32_t shift = 24; shift > 0;) {
             shift -= 3;
             const uint32_t child = order >> shift & 7;
-            const __m128i to_top = _mm_cvtsi32_si128(int(7 - child));
-            const uint32_t begin = end;
-            for (uint32_t i = 0; i < entry.count; i += 8) {
-                const __m128i entered = _mm_sll_epi16(
-                    _mm_loadl_epi64(reinterpret_cast<const __m128i*>(entered_ + i)), to_top);
-                const uint32_t bits = uint32_t(_mm_movemask_epi8(entered)) & 255;
-                const __m128i compress =
-                    _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.bytes[bits]));
-                const __m128i ids = _mm_load_si128(reinterpret_cast<const __m128i*>(ids_ + i));
-                _mm_storeu_si128(reinterpret_cast<__m128i*>(lists_ + end),
-                                 _mm_shuffle_epi8(ids, compress));
-                end += uint32_t(__builtin_popcount(bits));
-            }
-            entries_[depth] = {node.child[child].bits, begin, end - begin};
-            depth += end != begin;
+            if (entered >> child & 1) depth = push(node, child, entry, depth, end);
         }
         return depth;
+    }
+    HWY_INLINE HWY_ATTR uint32_t push(const Node& node, uint32_t child, const Entry& entry,
+                                      uint32_t depth, uint32_t& end) {
+        const uint32_t count = gather_rays(child, entry.count, lists_ + end);
+        entries_[depth] = {node.child[child].bits, end, count};
+        end += count;
+        return depth + (count != 0);
+    }
+
+    // Leaves first, so that rays that hit something drop out of the other children.
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR uint32_t meet_leaves(const Node& node, uint32_t entered, const Entry& entry,
+                                             uint32_t depth, OnHit&& on_hit) {
+        uint32_t leaves = entered & leaves_of(node);
+        uint32_t inner = entered & ~leaves;
+        for (uint32_t rest = leaves; rest; rest &= rest - 1)
+            prefetch(node.child[std::countr_zero(rest)]);
+        for (; leaves; leaves &= leaves - 1) {
+            const uint32_t child = uint32_t(std::countr_zero(leaves));
+            if constexpr (Filtered) {
+                const uint32_t count = gather_rays(child, entry.count, leaf_);
+                if (count) meet(node.child[child], leaf_, count, on_hit);
+            } else {
+                const __m128i first = _mm_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7);
+                const uint32_t count = gather(child, entry.count, leaf_, [&](uint32_t i) HWY_ATTR {
+                    return _mm_add_epi16(first, _mm_set1_epi16(int16_t(i)));
+                });
+                if (count) occlude(node.child[child], count, on_hit);
+            }
+        }
+        if (test_count_ > 0) settle(on_hit);
+        uint32_t end = entry.begin;
+        for (; inner; inner &= inner - 1)
+            depth = push(node, uint32_t(std::countr_zero(inner)), entry, depth, end);
+        return depth;
+    }
+
+    // The places in `ids_` that `leaf_` lists.
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void occlude(Link link, uint32_t count, OnHit&& on_hit) {
+        const Block* block = target_.bvh_blocks + link.first_block();
+        const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
+        leaf_[count] = leaf_[count - 1];
+        for (; block <= last; ++block)
+            for (uint32_t i = 0; i < count; i += 2) {
+                const uint32_t at_a = leaf_[i], at_b = leaf_[i + 1];
+                WaveRay &a = ray_[ids_[at_a]], &b = ray_[ids_[at_b]];
+                const Verdict verdict(a, b, *block);
+                uint32_t hit_a = verdict.hit & 15, hit_b = verdict.hit >> 4;
+                if (verdict.maybe != verdict.hit) [[unlikely]] {
+                    if (!hit_a && (verdict.maybe & 15)) hit_a = is_hit(a, *block);
+                    if (!hit_b && verdict.maybe >> 4) hit_b = is_hit(b, *block);
+                }
+                drop(a, at_a, hit_a != 0, on_hit);
+                drop(b, at_b, hit_b != 0, on_hit);
+            }
+    }
+    HWY_INLINE HWY_ATTR bool is_hit(const WaveRay& ray, const Block& block) const {
+        BlockHits hits;
+        return decide_block<Details::none>(relative_to(ray, block), hn::Set(kD, double(ray.dz)),
+                                           ray.t_min, ray.t_max, hits);
+    }
+    template <class OnHit>
+    HWY_INLINE HWY_ATTR void drop(WaveRay& ray, uint32_t at, bool hit, OnHit&& on_hit) {
+        on_hit(ray.index, hit);
+        ray.t_limit = hit ? kNever : ray.t_limit;
+        entered_[at] = hit ? 0 : entered_[at];
     }
 
     // Leaves in a row share the decisions: what the float filter lets through waits in `tests_`.
@@ -214,26 +306,6 @@ private:
 
     template <class OnHit>
     HWY_INLINE HWY_ATTR void settle(OnHit&& on_hit) {
-        if constexpr (Any && !Filtered)
-            settle_any(on_hit);
-        else
-            settle_each(on_hit);
-        test_count_ = 0;
-    }
-
-    template <class OnHit>
-    HWY_INLINE HWY_ATTR void settle_any(OnHit&& on_hit) {
-        for (uint32_t i = 0; i < test_count_; ++i) {
-            WaveRay& ray = ray_[tests_[i].ray];
-            BlockHits hits;
-            decide<Details::none>(ray, tests_[i].block, hits);
-            on_hit(ray.index, hits.lanes != 0);
-            ray.t_limit = hits.lanes ? kNever : ray.t_limit;
-        }
-    }
-
-    template <class OnHit>
-    HWY_INLINE HWY_ATTR void settle_each(OnHit&& on_hit) {
         uint32_t found = 0;
         for (uint32_t i = 0; i < test_count_; ++i) {
             const Test test = tests_[i];
@@ -245,6 +317,7 @@ private:
         }
         for (uint32_t i = 0; i < found; ++i)
             accept(ray_[tests_[i].ray], target_.bvh_blocks[tests_[i].block], found_[i], on_hit);
+        test_count_ = 0;
     }
 
     template <class OnHit>
@@ -284,6 +357,7 @@ private:
     uint32_t octant_count_[8];
     Id octant_[8][kWaveStream + 16];
     alignas(32) Id ids_[kListSize];
+    alignas(32) Id leaf_[kListSize];
     uint8_t entered_[kListSize];
     Entry entries_[kEntries];
     uint32_t test_count_ = 0;

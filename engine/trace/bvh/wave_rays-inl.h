@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "accel/bvh/tree.h"
+#include "trace/bvh/swept-inl.h"
 #include "trace/kernels.h"
 #include "trace/lanes-inl.h"
 #include "trace/slabs.h"
@@ -32,10 +33,11 @@ struct alignas(64) WaveRay {
     uint32_t index; // in the stream
     uint32_t unused[2];
 
-    float ox, oy, oz, sx, sy, dz, t_min, t_max; // as in BlockRay
-    uint8_t kx, ky, kz, none;                   // offsets of axes in a vertex of a block, in floats
-    uint32_t best;                              // triangle
-    uint32_t padding[6];
+    float ox, oy, oz, sx, sy, z_min, z_max, scale; // as in BlockRay
+    uint8_t kx, ky, kz, none; // offsets of axes in a vertex of a block, in floats
+    float dz, t_min, t_max;
+    uint32_t best; // triangle
+    uint32_t padding[3];
 };
 static_assert(sizeof(WaveRay) == 128);
 static_assert(offsetof(WaveRay, leave) == 24 && offsetof(WaveRay, octant) == 44);
@@ -68,7 +70,7 @@ struct Launched {
 // Rays `first` to first + 7 of the stream, as far as there are so many, into eight `places`. The
 // arithmetic is that of trace/slabs.h and geometry::shear, lane by lane.
 inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, uint32_t first,
-                                WaveRay* places) {
+                                WaveRay* places, Swept& swept) {
     const hn::RebindToUnsigned<D8> u8;
     const uint32_t there = rays.count - first >= 8 ? 255u : (1u << (rays.count - first)) - 1;
     V8 o[3], d[3], size[3];
@@ -111,6 +113,7 @@ inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, 
         octant = hn::Or(octant, hn::IfThenElseZero(negative, hn::Set(u8, 1u << k)));
     }
     const M8 alive = hn::And(fits, hn::Le(t_near, t_far));
+    swept.add(hn::And(alive, hn::FirstN(k8, rays.count - first)), o, d, t_near, t_far, distance);
     const auto put = [&](size_t offset) HWY_ATTR {
         transpose(row, column);
         for (int i = 0; i < 8; ++i)
@@ -146,20 +149,22 @@ inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, 
     row[2] = pick(o, 0);
     row[3] = hn::Div(pick(d, 1), dz);
     row[4] = hn::Div(pick(d, 2), dz);
-    row[5] = dz;
-    row[6] = t_min;
-    row[7] = t_max;
+    const V8 limit = hn::Add(distance, distance), dz_abs = hn::Abs(dz);
+    row[5] = hn::Max(hn::Mul(t_min, dz_abs), hn::Neg(limit));
+    row[6] = hn::Min(hn::Mul(t_max, dz_abs), limit);
+    row[7] = hn::CopySign(hn::Mul(hn::Set(k8, 32.0f), distance), dz);
     put(64);
     const auto axes =
         hn::IfThenElse(hn::RebindMask(u8, z_is_x), hn::Set(u8, 0x00000804u),
                        hn::IfThenElse(hn::RebindMask(u8, z_is_y), hn::Set(u8, 0x00040008u),
                                       hn::Set(u8, 0x00080400u)));
-    alignas(32) uint32_t packed_axes[8];
-    hn::Store(axes, u8, packed_axes);
-    for (int i = 0; i < 8; ++i) {
-        __builtin_memcpy(&places[i].kx, &packed_axes[i], 4);
-        places[i].best = geometry::kNoTriangle;
-    }
+    row[0] = as_float(axes);
+    row[1] = dz;
+    row[2] = t_min;
+    row[3] = t_max;
+    row[4] = as_float(hn::Set(u8, geometry::kNoTriangle));
+    row[5] = row[6] = row[7] = hn::Zero(k8);
+    put(96);
     return {bits_of(k8, alive) & there, ~bits_of(k8, fits) & there};
 }
 
