@@ -109,6 +109,9 @@ static void print_shapes(void) {
     FIELD(rt_mesh_update, positions);
     FIELD(rt_mesh_update, normals);
     FIELD(rt_mesh_update, tangents);
+
+    STRUCT(rt_transform);
+    FIELD(rt_transform, m);
 }
 
 static void print_lights(void) {
@@ -161,6 +164,13 @@ static void print_commit(void) {
     FIELD(rt_commit_report, rebuilt);
     FIELD(rt_commit_report, structure);
     FIELD(rt_commit_report, quality);
+    FIELD(rt_commit_report, dynamic_triangle_count);
+    FIELD(rt_commit_report, rigid_triangle_count);
+    FIELD(rt_commit_report, instance_count);
+    FIELD(rt_commit_report, static_rebuilt);
+    FIELD(rt_commit_report, dynamic_rebuilt);
+    FIELD(rt_commit_report, reserved);
+    FIELD(rt_commit_report, dynamic_build_ms);
 }
 
 static void print_query(void) {
@@ -297,6 +307,11 @@ static void print_table(void) {
     FIELD(rt_api, resolve_hits);
     FIELD(rt_api, render_frame);
     FIELD(rt_api, get_scene_stats);
+    FIELD(rt_api, add_rigid_mesh);
+    FIELD(rt_api, add_mesh_instance);
+    FIELD(rt_api, set_mesh_transform);
+    FIELD(rt_api, set_mesh_layer_mask);
+    FIELD(rt_api, set_mesh_hidden);
 }
 
 int main(void) {
