@@ -175,6 +175,7 @@ void Commit::place_instances() {
     world.instances = snapshot_.instances.data();
     world.instance_count = uint32_t(snapshot_.instances.size());
     world.nodes = snapshot_.instances.empty() ? nullptr : snapshot_.instance_nodes.data();
+    world.moves = world.nodes || !world.deforming.empty();
 }
 
 void Commit::find_bounds() {

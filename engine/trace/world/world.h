@@ -36,8 +36,7 @@ struct World {
     const Instance* instances = nullptr;           // in ascending order of Part::first
     uint32_t instance_count = 0;
     math::Box bounds;
-
-    bool moves() const { return nodes || !deforming.empty(); }
+    bool moves = false; // whether it has more than the fixed part
 };
 
 // Whose triangle it is; not for kNoTriangle.
