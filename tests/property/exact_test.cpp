@@ -416,7 +416,8 @@ TEST(Filters, EqualBruteForce) {
                              | (i % 5 == 0 ? uint32_t(geometry::kMasked) : 0);
     }
     const World world(std::move(triangles));
-    const std::vector<RaySet> sets = make_ray_sets(world.triangles, {}, {}, 1000, 3);
+    const size_t rays = std::clamp<size_t>(rays_per_set(1000), 512, 1000); // whole beams
+    const std::vector<RaySet> sets = make_ray_sets(world.triangles, {}, {}, rays, 3);
     const uint32_t layers[] = {1, 2, 4, 3};
     trace::Filter filter;
     filter.layer_masks = layers;
