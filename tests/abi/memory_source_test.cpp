@@ -20,22 +20,23 @@ void* take(size_t size, size_t alignment) {
 
 } // namespace
 
-void* operator new(size_t size) {
+// None in line, or GCC sees but one of a new and its delete as what it is, and warns of the pair.
+[[gnu::noinline]] void* operator new(size_t size) {
     return take(size, 16);
 }
-void* operator new(size_t size, std::align_val_t alignment) {
+[[gnu::noinline]] void* operator new(size_t size, std::align_val_t alignment) {
     return take(size, size_t(alignment) < 16 ? 16 : size_t(alignment));
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, size_t) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, size_t, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, size_t, std::align_val_t) noexcept {
     std::free(memory);
 }
 

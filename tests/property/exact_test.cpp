@@ -66,23 +66,28 @@ bool same(const trace::Hit& a, const trace::Hit& b) {
            || (same_bits(a.u, b.u) && same_bits(a.v, b.v) && a.back_face == b.back_face);
 }
 
+// Calls work(i) for every i < count, on all of the machine's threads.
+template <class Work>
+void in_parallel(size_t count, Work&& work) {
+    std::atomic<size_t> next{0};
+    const auto run = [&] {
+        for (size_t i; (i = next.fetch_add(1)) < count;) work(i);
+    };
+    std::vector<std::jthread> threads;
+    for (unsigned t = 1; t < std::thread::hardware_concurrency(); ++t) threads.emplace_back(run);
+    run();
+}
+
 Answers ask_brute_force(const BruteForce& oracle, const std::vector<Ray>& rays,
                         const trace::Filter& filter) {
     Answers answers(rays.size());
     constexpr size_t kBatch = 64;
-    std::atomic<size_t> next{0};
-    const auto work = [&] {
-        for (size_t first; (first = next.fetch_add(kBatch)) < rays.size();) {
-            const size_t count = std::min(kBatch, rays.size() - first);
-            oracle.closest({rays.data() + first, count}, filter, answers.hits.data() + first);
-            for (size_t i = first; i < first + count; ++i)
-                answers.occluded[i] = answers.hits[i].triangle != geometry::kNoTriangle;
-        }
-    };
-    std::vector<std::jthread> threads;
-    for (unsigned t = 1; t < std::thread::hardware_concurrency(); ++t) threads.emplace_back(work);
-    work();
-    threads.clear();
+    in_parallel((rays.size() + kBatch - 1) / kBatch, [&](size_t batch) {
+        const size_t first = batch * kBatch, count = std::min(kBatch, rays.size() - first);
+        oracle.closest({rays.data() + first, count}, filter, answers.hits.data() + first);
+        for (size_t i = first; i < first + count; ++i)
+            answers.occluded[i] = answers.hits[i].triangle != geometry::kNoTriangle;
+    });
     return answers;
 }
 
@@ -185,21 +190,21 @@ bool looks_at_hints(trace::Structure structure, base::Isa isa) {
 void compare_structure(const NamedStructure& structure, const trace::Target& target,
                        const std::vector<RaySet>& sets, const std::vector<Answers>& expected,
                        const trace::Filter& filter) {
-    for (const Named& isa : kIsas) {
+    in_parallel(std::size(kIsas) * sets.size(), [&](size_t k) {
+        const Named& isa = kIsas[k / sets.size()];
         const auto* kernels = trace::select_kernels(structure.structure, isa.isa);
-        if (!kernels) continue;
-        for (size_t i = 0; i < sets.size(); ++i) {
-            const auto& rays = sets[i].rays;
-            const std::string what = sets[i].name + ", " + structure.name + ", " + isa.name;
-            expect_same(expected[i], ask_singles(target, rays, filter, *kernels), rays,
-                        what + ", single");
-            for (const NamedHint& hint : kHints) {
-                expect_same(expected[i], ask_streams(target, rays, filter, *kernels, hint.hint),
-                            rays, what + ", stream, " + hint.name);
-                if (!looks_at_hints(structure.structure, isa.isa)) break;
-            }
+        if (!kernels) return;
+        const RaySet& set = sets[k % sets.size()];
+        const Answers& answers = expected[k % sets.size()];
+        const std::string what = set.name + ", " + structure.name + ", " + isa.name;
+        expect_same(answers, ask_singles(target, set.rays, filter, *kernels), set.rays,
+                    what + ", single");
+        for (const NamedHint& hint : kHints) {
+            expect_same(answers, ask_streams(target, set.rays, filter, *kernels, hint.hint),
+                        set.rays, what + ", stream, " + hint.name);
+            if (!looks_at_hints(structure.structure, isa.isa)) break;
         }
-    }
+    });
 }
 
 std::vector<Answers> ask_brute_force(const World& world, const std::vector<RaySet>& sets,
@@ -411,7 +416,8 @@ TEST(Filters, EqualBruteForce) {
                              | (i % 5 == 0 ? uint32_t(geometry::kMasked) : 0);
     }
     const World world(std::move(triangles));
-    const std::vector<RaySet> sets = make_ray_sets(world.triangles, {}, {}, 1000, 3);
+    const size_t rays = std::clamp<size_t>(rays_per_set(1000), 512, 1000); // whole beams
+    const std::vector<RaySet> sets = make_ray_sets(world.triangles, {}, {}, rays, 3);
     const uint32_t layers[] = {1, 2, 4, 3};
     trace::Filter filter;
     filter.layer_masks = layers;
