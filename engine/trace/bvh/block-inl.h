@@ -26,7 +26,7 @@ using namespace trace::HWY_NAMESPACE;
 template <class V>
 struct EdgeSigns {
     V u, v, w;
-    hn::MFromD<hn::DFromV<V>> outside, inside;
+    hn::Mask<hn::DFromV<V>> outside, inside;
 
     HWY_INLINE HWY_ATTR explicit EdgeSigns(const Sheared<V>& s) : u(s.u()), v(s.v()), w(s.w()) {
         const V zero = hn::Zero(hn::DFromV<V>());
