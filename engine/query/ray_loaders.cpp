@@ -181,29 +181,14 @@ constexpr RayLoaders kLoaders = {split, check_records, check_arrays};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "base/simd_select.h"
+
 namespace peregrine::query {
 
 const RayLoaders& ray_loaders(base::Isa isa) {
-    switch (isa) {
-#if HWY_TARGETS & HWY_SSE4
-    case base::Isa::sse4:
-        return N_SSE4::kLoaders;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case base::Isa::avx2:
-        return N_AVX2::kLoaders;
-#endif
-#if HWY_TARGETS & HWY_AVX3
-    case base::Isa::avx512:
-        return N_AVX3::kLoaders;
-#endif
-#if HWY_TARGETS & HWY_NEON
-    case base::Isa::neon:
-        return N_NEON::kLoaders;
-#endif
-    default:
-        return HWY_NAMESPACE::kLoaders; // the last target compiled: the machine's baseline
-    }
+    const auto* const table = PEREGRINE_TABLE_FOR(isa, kLoaders);
+    // Otherwise the last one compiled: the machine's baseline.
+    return table ? *table : HWY_NAMESPACE::kLoaders;
 }
 
 } // namespace peregrine::query

@@ -2,24 +2,17 @@
 
 #include "accel/instances/builder.h"
 #include "base/error.h"
+#include "geometry/area.h"
 #include "scene/alpha_test.h"
-#include "scene/build.h"
-#include "scene/collect.h"
 #include "scene/resolve.h"
 
 namespace peregrine::scene {
 namespace {
 
-// What moves is built in no time or not at all.
-constexpr BuildChoice kDeformingBuild = {trace::Structure::bih, accel::bvh::Quality::fast, 0};
-constexpr BuildChoice kShapeBuild = {trace::Structure::bvh, accel::bvh::Quality::balanced, 0};
-
-using Number = unsigned long long;
-
-void check_count(uint64_t triangles, const char* of) {
-    if (triangles > kMostTriangles)
-        base::fail(base::Code::limit, "%s %llu triangles; at most 2^27 are supported", of,
-                   Number(triangles));
+// As triangles beyond 1e30, instances beyond it are in no snapshot.
+bool is_usable(const accel::instances::Extent& extent) {
+    return geometry::is_usable(extent.box.lower) && geometry::is_usable(extent.box.upper)
+           && extent.margin <= 1e30f;
 }
 
 } // namespace
@@ -44,20 +37,21 @@ void Commit::show_meshes() {
         snapshot_.layer_masks.push_back(slot.object ? slot.object->layer_mask : 0);
         if (!slot.object) continue;
         MeshDescription& mesh = *slot.object;
-        if (mesh.materials_version != scene_.materials_version_) {
-            mesh.materials =
+        ShownMaterials& materials = mesh.shape ? mesh.shape->shown : mesh.shown;
+        if (materials.version != scene_.materials_version_) {
+            materials.materials =
                 resolve_materials(scene_, *snapshot_.material_set, *mesh.data->surface);
-            mesh.materials_version = scene_.materials_version_;
+            materials.version = scene_.materials_version_;
         }
         shown.data = mesh.data;
-        shown.materials = mesh.materials;
+        shown.materials = materials.materials;
         shown.user_data = mesh.user_data;
         if (mesh.kind == MeshKind::rigid) {
             shown.placement = uint32_t(snapshot_.placements.size());
             snapshot_.placements.push_back(mesh.placement);
         }
         if (mesh.hidden) continue;
-        snapshot_.features |= mesh.materials->features;
+        snapshot_.features |= shown.materials->features;
         if (mesh.kind != MeshKind::fixed) snapshot_.features |= kDynamicMeshes;
     }
 }
@@ -69,60 +63,6 @@ void Commit::show_lights() {
             snapshot_.features |= features_of(*slot.object);
         }
     snapshot_.environment = scene_.environment;
-}
-
-Commit::GeometryPointer Commit::build(MeshKind kind, const BuildChoice& choice,
-                                      const base::Progress& progress) {
-    const auto geometry = std::allocate_shared<Geometry>(
-        std::pmr::polymorphic_allocator<Geometry>(&scene_.memory), &scene_.memory);
-    const auto& slots = scene_.meshes.slots();
-    uint64_t count = 0;
-    for (const auto& slot : slots)
-        if (slot.object && shows(*slot.object, kind))
-            count += slot.object->data->triangles().size();
-    check_count(count, kind == MeshKind::fixed ? "the scene's static meshes have"
-                                               : "the scene's dynamic meshes have");
-    geometry->triangles.reserve(count);
-    geometry->infos.reserve(count);
-    for (uint32_t i = 0; i < slots.size(); ++i)
-        if (slots[i].object && shows(*slots[i].object, kind))
-            collect_triangles(*slots[i].object->data, *slots[i].object->materials,
-                              *snapshot_.material_set, i, *geometry);
-    build_structure(choice, scene_.scheduler, progress, &scene_.memory, *geometry);
-    return geometry;
-}
-
-void Commit::build_parts() {
-    const auto keep = [&](MeshKind kind, const GeometryPointer& old) {
-        return old && !scene_.changed_[uint32_t(kind)];
-    };
-    const bool keep_fixed =
-        keep(MeshKind::fixed, scene_.fixed_) && scene_.fixed_build_ == options_.build.relevant();
-    snapshot_.fixed =
-        keep_fixed ? scene_.fixed_ : build(MeshKind::fixed, options_.build, options_.progress);
-    snapshot_.deforming = keep(MeshKind::deforming, scene_.deforming_)
-                              ? scene_.deforming_
-                              : build(MeshKind::deforming, kDeformingBuild, {});
-}
-
-// Each once, whatever shows it.
-void Commit::build_shapes() {
-    for (auto& slot : scene_.meshes.slots()) {
-        if (!slot.object || !slot.object->shape) continue;
-        Shape& shape = *slot.object->shape;
-        if (shape.geometry && shape.flags_version == scene_.flags_version_) continue;
-        const MeshDescription& mesh = *slot.object;
-        const auto geometry = std::allocate_shared<Geometry>(
-            std::pmr::polymorphic_allocator<Geometry>(&scene_.memory), &scene_.memory);
-        check_count(mesh.data->triangles().size(), "a rigid mesh has");
-        geometry->triangles.reserve(mesh.data->triangles().size());
-        geometry->infos.reserve(mesh.data->triangles().size());
-        collect_triangles(*mesh.data, *mesh.materials, *snapshot_.material_set, 0, *geometry);
-        build_structure(kShapeBuild, scene_.scheduler, options_.progress, &scene_.memory,
-                        *geometry);
-        shape.geometry = geometry;
-        shape.flags_version = scene_.flags_version_;
-    }
 }
 
 trace::Part Commit::part_of(const Geometry& geometry, uint64_t first) const {
@@ -156,6 +96,10 @@ void Commit::place_instances() {
                 trace::extent_of(mesh.placement.to_world, mesh.placement.to_local, shape->bounds());
             mesh.extent_is_known = true;
         }
+        if (!is_usable(mesh.extent)) {
+            unusable_ += shape->infos.size();
+            continue;
+        }
         trace::AlphaTest alpha;
         if (snapshot_.features & kAlphaMask) {
             snapshot_.instance_alphas.push_back({&snapshot_, i});
@@ -168,8 +112,7 @@ void Commit::place_instances() {
     }
     if (snapshot_.instances.size() > accel::instances::kMaxInstances)
         base::fail(base::Code::limit,
-                   "the scene has %zu rigid meshes and instances; at most %u "
-                   "are supported",
+                   "the scene has %zu rigid meshes and instances; at most %u are supported",
                    snapshot_.instances.size(), accel::instances::kMaxInstances);
     accel::instances::build(scene_.extents_, scene_.order_, snapshot_.instance_nodes);
     world.instances = snapshot_.instances.data();
@@ -190,8 +133,7 @@ void Commit::prepare() {
     show_materials();
     show_meshes();
     show_lights();
-    build_parts();
-    build_shapes();
+    build_structures();
     place_instances();
     find_bounds();
     if (options_.progress.cancels(1.0f))
@@ -202,7 +144,7 @@ void Commit::remember() noexcept {
     scene_.fixed_ = snapshot_.fixed;
     scene_.deforming_ = snapshot_.deforming;
     scene_.fixed_build_ = options_.build.relevant();
-    for (bool& changed : scene_.changed_) changed = false;
+    scene_.fixed_changed_ = scene_.deforming_changed_ = false;
     ++scene_.version_;
 }
 

@@ -9,7 +9,7 @@ namespace peregrine::scene {
 class Commit {
 public:
     Commit(Scene& scene, const CommitOptions& options, Snapshot& snapshot)
-        : scene_(scene), options_(options), snapshot_(snapshot) {}
+        : scene_(scene), options_(options), snapshot_(snapshot), number_(++scene.commits_begun_) {}
 
     void prepare();           // may fail
     void remember() noexcept; // what was built is the scene's
@@ -18,23 +18,31 @@ public:
 private:
     using GeometryPointer = std::shared_ptr<const Geometry>;
 
+    // A structure to be built: over all meshes of a kind, or a rigid mesh's own.
+    struct Work {
+        MeshKind kind;
+        Shape* shape;
+        uint32_t slot; // of the rigid mesh
+        BuildChoice choice;
+        uint64_t triangles;
+    };
+
     void show_materials();
     void show_meshes();
     void show_lights();
-    void build_parts();
-    void build_shapes();
+    void build_structures();
+    Work work_for(MeshKind kind, const BuildChoice& choice) const;
+    GeometryPointer build(const Work& work, const base::Progress& progress) const;
     void place_instances();
     void find_bounds();
     void count(const MeshDescription& mesh, CommitReport& report) const;
-    GeometryPointer build(MeshKind kind, const BuildChoice& choice, const base::Progress& progress);
-    bool shows(const MeshDescription& mesh, MeshKind kind) const {
-        return mesh.kind == kind && !mesh.hidden;
-    }
     trace::Part part_of(const Geometry& geometry, uint64_t first) const;
 
     Scene& scene_;
     const CommitOptions& options_;
     Snapshot& snapshot_;
+    const uint64_t number_;
+    uint64_t unusable_ = 0; // triangles of instances that are left out
 };
 
 } // namespace peregrine::scene

@@ -35,18 +35,18 @@ CommitReport Commit::report() {
     report.fixed_rebuilt = snapshot_.fixed != scene_.fixed_;
     report.deforming_rebuilt = snapshot_.deforming != scene_.deforming_;
     report.degenerate_count = report.fixed->degenerate_count + report.deforming->degenerate_count;
-    report.non_finite_count = report.fixed->non_finite_count + report.deforming->non_finite_count;
+    report.non_finite_count =
+        report.fixed->non_finite_count + report.deforming->non_finite_count + unusable_;
     for (auto& slot : scene_.meshes.slots())
         if (slot.object) count(*slot.object, report);
     return report;
 }
 
-// Instances share everything but their materials' places.
+// Instances share everything, and count once.
 void Commit::count(const MeshDescription& mesh, CommitReport& report) const {
-    report.bytes_attributes += bytes_of(mesh.materials->each);
     if (mesh.shape) {
-        if (mesh.shape->counted_by == snapshot_.version) return;
-        mesh.shape->counted_by = snapshot_.version;
+        if (mesh.shape->counted_by == number_) return;
+        mesh.shape->counted_by = number_;
         const Geometry& shape = *mesh.shape->geometry;
         report.shape_triangles += shape.infos.size();
         report.shape_bytes +=
@@ -54,7 +54,8 @@ void Commit::count(const MeshDescription& mesh, CommitReport& report) const {
         report.degenerate_count += shape.degenerate_count;
         report.non_finite_count += shape.non_finite_count;
     }
-    report.bytes_attributes += attribute_bytes(*mesh.data);
+    const ShownMaterials& shown = mesh.shape ? mesh.shape->shown : mesh.shown;
+    report.bytes_attributes += attribute_bytes(*mesh.data) + bytes_of(shown.materials->each);
 }
 
 } // namespace peregrine::scene

@@ -19,12 +19,20 @@ namespace peregrine::scene {
 
 using base::Handle;
 
+// What the last commit made of a mesh's materials.
+struct ShownMaterials {
+    std::shared_ptr<const MeshMaterials> materials;
+    uint64_t version = 0; // of Scene::materials_version_
+};
+
 // The triangles of a rigid mesh in its own space, built by the first commit that shows them and
 // shared by its instances.
 struct Shape {
+    ShownMaterials shown;
     std::shared_ptr<const Geometry> geometry; // null: yet to be built
     uint64_t flags_version = 0;               // Scene::flags_version_ that it was built with
-    uint64_t counted_by = 0;                  // the last commit whose report counts it
+    uint64_t awaited_by = 0;                  // the last commit that wanted it built, ...
+    uint64_t counted_by = 0;                  // ... that counted it: of commits_begun_
 };
 
 // What the host described. Changing it changes no snapshot until the next commit.
@@ -38,8 +46,7 @@ struct MeshDescription {
     Placement placement = {};
 
     // What commits found out and keep until it changes.
-    std::shared_ptr<const MeshMaterials> materials = {};
-    uint64_t materials_version = 0;
+    ShownMaterials shown = {};            // of a mesh without a shape
     accel::instances::Extent extent = {}; // of a rigid mesh
     bool extent_is_known = false;
 };
@@ -76,7 +83,7 @@ struct CommitReport {
     uint32_t features = 0;
     uint64_t shape_triangles = 0;  // of rigid meshes; instances of one count once, here and below
     uint64_t shape_bytes = 0;      // of their triangles and nodes
-    uint64_t degenerate_count = 0; // of all kinds
+    uint64_t degenerate_count = 0; // of all kinds, and so ...
     uint64_t non_finite_count = 0;
     uint64_t bytes_attributes = 0;
     uint64_t bytes_textures = 0;
@@ -115,8 +122,11 @@ public:
     SnapshotStore snapshots;
 
     // To be called when triangles of a kind of meshes came, went or moved: the next commit builds
-    // their structure anew. (Rigid meshes have theirs, wherever they stand.)
-    void touch_triangles(MeshKind kind) { changed_[uint32_t(kind)] = true; }
+    // their structure anew. Rigid meshes have theirs, wherever they stand.
+    void touch_triangles(MeshKind kind) {
+        if (kind == MeshKind::fixed) fixed_changed_ = true;
+        if (kind == MeshKind::deforming) deforming_changed_ = true;
+    }
     // ... when a material or a texture changed in any way.
     void touch_materials() { ++materials_version_; }
     // ... when a material became masked or double-sided or ceased to be: triangles say so too.
@@ -134,12 +144,14 @@ private:
     std::shared_ptr<const Geometry> fixed_;
     std::shared_ptr<const Geometry> deforming_;
     std::shared_ptr<const MaterialSet> material_set_;
-    BuildChoice fixed_build_;              // what is relevant of it
-    bool changed_[3] = {true, true, true}; // by MeshKind
+    BuildChoice fixed_build_; // what is relevant of it
+    bool fixed_changed_ = true;
+    bool deforming_changed_ = true;
     uint64_t materials_version_ = 1;
     uint64_t material_set_version_ = 0; // of materials_version_ that material_set_ shows
     uint64_t flags_version_ = 1;
     uint64_t version_ = 0;
+    uint64_t commits_begun_ = 0;
     Extents extents_; // room for commits to work in
     base::Vector<uint32_t> order_;
 };

@@ -28,29 +28,14 @@ constexpr Kernels kKernels = {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "base/simd_select.h"
+
 namespace peregrine::shade {
 
 const Kernels& kernels(base::Isa isa) {
-    switch (isa) {
-#if HWY_TARGETS & HWY_SSE4
-    case base::Isa::sse4:
-        return N_SSE4::kKernels;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case base::Isa::avx2:
-        return N_AVX2::kKernels;
-#endif
-#if HWY_TARGETS & HWY_AVX3
-    case base::Isa::avx512:
-        return N_AVX3::kKernels;
-#endif
-#if HWY_TARGETS & HWY_NEON
-    case base::Isa::neon:
-        return N_NEON::kKernels;
-#endif
-    default:
-        return HWY_NAMESPACE::kKernels; // the last target compiled: the machine's baseline;
-    }
+    const auto* const table = PEREGRINE_TABLE_FOR(isa, kKernels);
+    // Otherwise the last one compiled: the machine's baseline.
+    return table ? *table : HWY_NAMESPACE::kKernels;
 }
 
 } // namespace peregrine::shade

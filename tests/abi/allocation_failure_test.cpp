@@ -154,7 +154,7 @@ TEST_P(AllocationFailure, AddMesh) {
 }
 
 TEST_P(AllocationFailure, UpdateDynamicMesh) {
-    exhaust([](const World& world) { return move_lift(world, 2.5f); }, 1);
+    exhaust([](const World& world) { return move_lift(world, 2.5f); }, 2);
 }
 
 TEST_P(AllocationFailure, CommitAfterAMove) {

@@ -16,6 +16,7 @@
 #include "trace/bvh/limit_planes-inl.h"
 #include "trace/bvh/plain.h"
 
+#include <bit>
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
@@ -180,7 +181,8 @@ private:
         hn::Store(hn::IfThenElse(lanes, hn::Set(k8, kNever), limit), k8, beam_.limit + at);
     }
 
-    // A byte for each bit.
+    // A byte for each bit, the lowest first.
+    static_assert(std::endian::native == std::endian::little);
     void report(uint8_t* occluded) const {
         uint32_t i = 0;
         for (; i + 8 <= beam_.count; i += 8) {

@@ -8,7 +8,11 @@
 namespace peregrine::trace::bvh {
 
 Kernels make_kernels(base::Isa isa) {
-    if (const Kernels* kernels = simd_kernels(isa)) return *kernels;
+    if (const Kernels* simd = simd_kernels(isa)) {
+        Kernels kernels = *simd;
+        kernels.isa = isa;
+        return kernels;
+    }
     using Rays = OneRay<Plain>;
     return {Rays::closest, Rays::occluded, closest_each<Rays::closest>,
             occluded_each<Rays::occluded>, isa};

@@ -96,37 +96,20 @@ HWY_ATTR void are_occluded(const Target& target, const RayStream& rays, const Fi
                          : occluded_stream<true>(target, rays, filter, result);
 }
 
-template <base::Isa Set>
-inline constexpr Kernels kKernels = {closest_hit, is_occluded, closest_hits, are_occluded, Set};
+[[maybe_unused]] constexpr Kernels kKernels = {closest_hit, is_occluded, closest_hits, are_occluded,
+                                               base::Isa::best};
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
+#include "base/simd_select.h"
+
 namespace peregrine::trace::bvh {
 
 const Kernels* simd_kernels(base::Isa isa) {
-    switch (isa) {
-#if HWY_TARGETS & HWY_SSE4
-    case base::Isa::sse4:
-        return &N_SSE4::kKernels<base::Isa::sse4>;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case base::Isa::avx2:
-        return &N_AVX2::kKernels<base::Isa::avx2>;
-#endif
-#if HWY_TARGETS & HWY_AVX3
-    case base::Isa::avx512:
-        return &N_AVX3::kKernels<base::Isa::avx512>;
-#endif
-#if HWY_TARGETS & HWY_NEON
-    case base::Isa::neon:
-        return &N_NEON::kKernels<base::Isa::neon>;
-#endif
-    default:
-        return nullptr;
-    }
+    return PEREGRINE_TABLE_FOR(isa, kKernels);
 }
 
 } // namespace peregrine::trace::bvh

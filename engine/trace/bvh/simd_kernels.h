@@ -4,7 +4,8 @@
 
 namespace peregrine::trace::bvh {
 
-// Null if not compiled for this instruction set. Does not ask the machine.
+// They do not say whose they are. Null if not compiled for this instruction set. Does not ask the
+// machine.
 const Kernels* simd_kernels(base::Isa isa);
 
 } // namespace peregrine::trace::bvh

@@ -51,29 +51,12 @@ HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
+#include "base/simd_select.h"
+
 namespace peregrine::trace::kdtree {
 
 const StreamKernels* stream_kernels(base::Isa isa) {
-    switch (isa) {
-#if HWY_TARGETS & HWY_SSE4
-    case base::Isa::sse4:
-        return &N_SSE4::kStreamKernels;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case base::Isa::avx2:
-        return &N_AVX2::kStreamKernels;
-#endif
-#if HWY_TARGETS & HWY_AVX3
-    case base::Isa::avx512:
-        return &N_AVX3::kStreamKernels;
-#endif
-#if HWY_TARGETS & HWY_NEON
-    case base::Isa::neon:
-        return &N_NEON::kStreamKernels;
-#endif
-    default:
-        return nullptr;
-    }
+    return PEREGRINE_TABLE_FOR(isa, kStreamKernels);
 }
 
 } // namespace peregrine::trace::kdtree

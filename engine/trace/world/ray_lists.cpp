@@ -55,29 +55,14 @@ constexpr RayLists kRayLists = {enter};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "base/simd_select.h"
+
 namespace peregrine::trace {
 
 const RayLists& ray_lists(base::Isa isa) {
-    switch (isa) {
-#if HWY_TARGETS & HWY_SSE4
-    case base::Isa::sse4:
-        return N_SSE4::kRayLists;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case base::Isa::avx2:
-        return N_AVX2::kRayLists;
-#endif
-#if HWY_TARGETS & HWY_AVX3
-    case base::Isa::avx512:
-        return N_AVX3::kRayLists;
-#endif
-#if HWY_TARGETS & HWY_NEON
-    case base::Isa::neon:
-        return N_NEON::kRayLists;
-#endif
-    default:
-        return HWY_NAMESPACE::kRayLists; // the last target compiled: the machine's baseline
-    }
+    const auto* const table = PEREGRINE_TABLE_FOR(isa, kRayLists);
+    // Otherwise the last one compiled: the machine's baseline.
+    return table ? *table : HWY_NAMESPACE::kRayLists;
 }
 
 } // namespace peregrine::trace

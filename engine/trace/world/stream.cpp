@@ -3,6 +3,7 @@
 #include "trace/slabs.h"
 #include "trace/world/merge.h"
 #include "trace/world/ray_lists.h"
+#include "trace/world/sub_stream.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +14,6 @@ namespace {
 using accel::instances::Extent;
 using accel::instances::Node;
 
-constexpr uint32_t kRoom = GateStream::kRoom;
 static_assert(kMaxStream + 16 <= kRoom);
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -36,68 +36,6 @@ void look_at(const RayStream& rays, uint32_t i, GateStream& gate) {
     gate.distance[i] = 0;
     gate.t_min[i] = -kInfinity;
 }
-
-// Rays of a stream on their own, in an instance's space.
-class SubStream {
-public:
-    explicit SubStream(Coherence coherence) : coherence_(coherence) {}
-
-    void clear() { count_ = 0; }
-    void add(const math::Ray& ray, uint32_t number) {
-        for (int k = 0; k < 3; ++k) {
-            origin_[k][count_] = ray.origin[k];
-            direction_[k][count_] = ray.direction[k];
-        }
-        t_min_[count_] = ray.t_min;
-        t_max_[count_] = ray.t_max;
-        number_[count_++] = number;
-    }
-    uint32_t count() const { return count_; }
-    uint32_t number(uint32_t i) const { return number_[i]; }
-
-    // Padded with its last ray, which must be there.
-    RayStream stream() {
-        const uint32_t end = (count_ + 15) / 16 * 16;
-        const auto pad = [&](float* lane) {
-            std::fill(lane + count_, lane + end, lane[count_ - 1]);
-        };
-        for (int k = 0; k < 3; ++k) {
-            pad(origin_[k]);
-            pad(direction_[k]);
-        }
-        pad(t_min_);
-        pad(t_max_);
-        return {{origin_[0], origin_[1], origin_[2]},
-                {direction_[0], direction_[1], direction_[2]},
-                t_min_,
-                t_max_,
-                count_,
-                coherence_};
-    }
-
-private:
-    Coherence coherence_;
-    uint32_t count_ = 0;
-    alignas(64) float origin_[3][kRoom];
-    alignas(64) float direction_[3][kRoom];
-    alignas(64) float t_min_[kRoom];
-    alignas(64) float t_max_[kRoom];
-    uint32_t number_[kRoom];
-};
-
-// The hits of a sub-stream.
-struct SubHits {
-    alignas(64) float t[kRoom];
-    alignas(64) float u[kRoom];
-    alignas(64) float v[kRoom];
-    alignas(64) uint32_t triangle[kRoom];
-    alignas(64) uint32_t back_face[kRoom];
-    alignas(64) uint32_t steps[kRoom];
-
-    HitStream stream(bool with_steps) {
-        return {t, u, v, triangle, back_face, with_steps ? steps : nullptr};
-    }
-};
 
 // The way of a stream through the moving parts; Kind says what is asked of each.
 template <class Kind>
