@@ -166,6 +166,27 @@ TEST_P(AllocationFailure, CommitAfterAMove) {
         10);
 }
 
+TEST_P(AllocationFailure, RigidMeshAndInstance) {
+    exhaust(
+        [](const World& world) {
+            const std::vector<float> positions = {1, 2, 3, 4, 2, 3, 1, 2, 6};
+            rt_mesh_desc desc = rt_default_mesh_desc();
+            desc.index_type = RT_INDEX_NONE;
+            desc.positions = array_of(positions, 3);
+            rt_mesh mesh, instance;
+            if (const rt_result result = rt_add_rigid_mesh(world.scene, &desc, &mesh))
+                return result;
+            rt_result result = rt_add_mesh_instance(world.scene, mesh, &instance);
+            if (!result) {
+                result = rt_commit_scene(world.scene, nullptr, nullptr);
+                rt_remove_mesh(world.scene, instance);
+            }
+            rt_remove_mesh(world.scene, mesh);
+            return result;
+        },
+        10);
+}
+
 TEST_P(AllocationFailure, Remove) {
     exhaust([](const World& world) { return rt_remove_light(world.scene, world.lamp); }, 0);
     exhaust([](const World& world) { return rt_remove_mesh(world.scene, world.lift); }, 0);

@@ -76,7 +76,7 @@ public:
     Fuzzer& operator=(const Fuzzer&) = delete;
 
     void step() {
-        switch (random_.below(18)) {
+        switch (random_.below(21)) {
         case 0:
             return add_texture();
         case 1:
@@ -105,6 +105,10 @@ public:
             return commit();
         case 14:
             return render();
+        case 15:
+            return move_mesh();
+        case 16:
+            return add_instance();
         default:
             return query();
         }
@@ -222,13 +226,29 @@ private:
         if (random_.one_in(30)) desc.positions.count = random_.bits(); // more than there are
         if (random_.one_in(30)) desc.normals.count = random_.bits();
         if (desc.positions.count != vertices) desc.positions.count |= uint64_t(1) << 40;
-        const bool dynamic = random_.one_in(2);
+        constexpr decltype(rt_add_static_mesh)* kAdd[] = {rt_add_static_mesh, rt_add_dynamic_mesh,
+                                                          rt_add_rigid_mesh};
+        const uint32_t kind = random_.below(3);
         rt_mesh mesh;
-        if (check((dynamic ? rt_add_dynamic_mesh : rt_add_static_mesh)(scene_, &desc, &mesh))
-            != RT_OK)
-            return;
+        if (check(kAdd[kind](scene_, &desc, &mesh)) != RT_OK) return;
         meshes_.push_back(mesh);
-        if (dynamic) moving_.push_back({mesh, vertices});
+        if (kind == 1) moving_.push_back({mesh, vertices});
+    }
+
+    void move_mesh() {
+        rt_transform transform = rt_default_transform();
+        for (double& m : transform.m)
+            if (random_.one_in(2)) m = double(random_.number());
+        check(rt_set_mesh_transform(scene_, random_.pick(meshes_), &transform));
+        check(rt_set_mesh_layer_mask(scene_, random_.pick(meshes_), uint32_t(random_.bits())));
+        check(rt_set_mesh_hidden(scene_, random_.pick(meshes_), random_.below(3)));
+    }
+
+    void add_instance() {
+        if (meshes_.size() > 40) return;
+        rt_mesh mesh;
+        if (check(rt_add_mesh_instance(scene_, random_.pick(meshes_), &mesh)) == RT_OK)
+            meshes_.push_back(mesh);
     }
 
     void update_mesh() {
