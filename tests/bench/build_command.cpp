@@ -2,7 +2,7 @@
 #include "embree_peer.h"
 #include "timing.h"
 
-#include "accel/kdtree/builder.h"
+#include "scene/build.h"
 #include "support/ray_sets.h"
 #include "support/world.h"
 #include "trace/kernels.h"
@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <tuple>
 
 namespace peregrine::bench {
 namespace {
@@ -22,37 +23,87 @@ struct Built {
     double seconds;
     uint64_t bytes;
     size_t nodes, references;
-    accel::kdtree::BuildReport report;
+    double sah_cost;
+    uint32_t max_depth;
     double ns_a_ray;
 };
 
 // Camera rays, one at a time, by this thread.
-double trace_camera_rays(const std::vector<geometry::Triangle>& triangles,
-                         const accel::kdtree::Tree& tree, const std::vector<math::Ray>& rays) {
-    const trace::Target target{nullptr,         tree.bounds,       nullptr,
-                               nullptr,         tree.nodes.data(), tree.references.data(),
-                               triangles.data()};
-    const trace::Kernels& kernels =
-        *trace::select_kernels(trace::Structure::kdtree, base::Isa::best);
+double trace_camera_rays(const scene::Geometry& geometry, const std::vector<math::Ray>& rays) {
+    const trace::Target target = geometry.target();
+    const trace::Kernels& kernels = *trace::select_kernels(geometry.structure, base::Isa::best);
     const double start = thread_seconds();
     for (const math::Ray& ray : rays) kernels.closest(target, ray, {});
     return 1e9 * (thread_seconds() - start) / double(rays.size());
 }
 
+template <class T>
+uint64_t bytes_of(const base::Vector<T>& vector) {
+    return vector.size() * sizeof(T);
+}
+
+uint64_t bytes_of(const scene::Geometry& geometry) {
+    return bytes_of(geometry.infos) + bytes_of(geometry.triangles) + bytes_of(geometry.bvh.nodes)
+           + bytes_of(geometry.bvh.blocks) + bytes_of(geometry.kdtree.nodes)
+           + bytes_of(geometry.kdtree.references) + bytes_of(geometry.bih.nodes)
+           + bytes_of(geometry.bih.references);
+}
+
+Built describe(const scene::Geometry& geometry) {
+    const auto& [bvh, kdtree, bih] = std::tie(geometry.bvh, geometry.kdtree, geometry.bih);
+    switch (geometry.structure) {
+    case trace::Structure::kdtree:
+        return {0,
+                bytes_of(geometry),
+                kdtree.nodes.size(),
+                kdtree.references.size(),
+                kdtree.report.sah_cost,
+                kdtree.report.max_depth,
+                0};
+    case trace::Structure::bih:
+        return {0,
+                bytes_of(geometry),
+                bih.nodes.size(),
+                bih.references.size(),
+                bih.report.sah_cost,
+                bih.report.max_depth,
+                0};
+    default:
+        return {0,
+                bytes_of(geometry),
+                bvh.nodes.size(),
+                bvh.report.references,
+                bvh.report.sah_cost,
+                bvh.report.max_depth,
+                0};
+    }
+}
+
 Built build_ours(const std::vector<geometry::Triangle>& triangles,
-                 const std::vector<math::Ray>& rays, float empty_bonus, base::Scheduler& scheduler,
-                 base::HostMemory& memory) {
-    accel::kdtree::BuildOptions build;
-    build.empty_bonus = empty_bonus;
+                 const std::vector<math::Ray>& rays, const scene::BuildChoice& choice,
+                 base::Scheduler& scheduler, base::HostMemory& memory) {
+    scene::Geometry geometry(&memory);
+    geometry.triangles.assign(triangles.begin(), triangles.end());
+    for (const geometry::Triangle& triangle : triangles) geometry.infos.push_back(triangle.info());
     const double start = wall_seconds();
-    const accel::kdtree::Tree tree = accel::kdtree::build(triangles, build, scheduler, {}, &memory);
+    scene::build_structure(choice, scheduler, {}, &memory, geometry);
     const double seconds = wall_seconds() - start;
-    const uint64_t bytes = tree.nodes.size() * sizeof(accel::kdtree::Node)
-                           + tree.references.size() * sizeof(uint32_t)
-                           + triangles.size() * sizeof(geometry::Triangle);
-    return {seconds,           bytes,
-            tree.nodes.size(), tree.references.size(),
-            tree.report,       trace_camera_rays(triangles, tree, rays)};
+    Built built = describe(geometry);
+    built.seconds = seconds;
+    built.ns_a_ray = trace_camera_rays(geometry, rays);
+    return built;
+}
+
+scene::BuildChoice choice_of(const Options& options) {
+    scene::BuildChoice choice;
+    choice.structure = options.structure == "kdtree" ? trace::Structure::kdtree
+                       : options.structure == "bih"  ? trace::Structure::bih
+                                                     : trace::Structure::bvh;
+    choice.quality = options.build == "fast"   ? accel::bvh::Quality::fast
+                     : options.build == "best" ? accel::bvh::Quality::best
+                                               : accel::bvh::Quality::balanced;
+    choice.empty_bonus = options.empty_bonus;
+    return choice;
 }
 
 void report(const std::string& name, size_t count, const Options& options, nlohmann::json& rows,
@@ -75,7 +126,7 @@ std::string run_build(const Options& options) {
     const bool embree = std::ranges::count(options.peers, "embree") > 0;
     if (options.peers.size() != size_t(embree))
         throw std::runtime_error("unknown peer; known: embree");
-    if (embree && !has_embree()) build_with_embree({}, 1); // throws its sentence
+    if (embree && !has_embree()) build_with_embree({}, 1, {}); // throws its sentence
     nlohmann::json rows = nlohmann::json::array();
     base::HostMemory memory({});
     base::Scheduler scheduler(options.threads, {}, &memory);
@@ -89,24 +140,27 @@ std::string run_build(const Options& options) {
         Built built{};
         PeerBuild peer{};
         for (uint32_t pass = 0; pass < options.passes; ++pass) {
-            built = build_ours(triangles, rays, options.empty_bonus, scheduler, memory);
+            built = build_ours(triangles, rays, choice_of(options), scheduler, memory);
             ours.push_back(built.seconds);
             ns_a_ray.push_back(built.ns_a_ray);
             if (!embree) continue;
-            peer = build_with_embree(triangles, options.threads);
+            peer = build_with_embree(triangles, options.threads, options.peer_build);
             theirs.push_back(peer.seconds);
         }
         report(name, triangles.size(), options, rows, "peregrine", ours, built.bytes);
         std::printf("%-16s %9s  %zu nodes, %zu references, SAH cost %.1f, %.0f ns a camera ray\n",
-                    "", "", built.nodes, built.references, built.report.sah_cost, median(ns_a_ray));
+                    "", "", built.nodes, built.references, built.sah_cost, median(ns_a_ray));
+        rows.back()["structure"] = options.structure;
+        rows.back()["build"] = options.build;
         rows.back()["empty_bonus"] = options.empty_bonus;
         rows.back()["ns_per_camera_ray"] = median(ns_a_ray);
         rows.back()["nodes"] = built.nodes;
         rows.back()["references"] = built.references;
-        rows.back()["max_depth"] = built.report.max_depth;
-        rows.back()["sah_cost"] = built.report.sah_cost;
+        rows.back()["max_depth"] = built.max_depth;
+        rows.back()["sah_cost"] = built.sah_cost;
         if (embree) {
             report(name, triangles.size(), options, rows, "embree", theirs, peer.bytes);
+            rows.back()["build"] = options.peer_build;
             std::printf("%-16s %9s  ratio of times %.2f\n", "", "", median(ours) / median(theirs));
         }
     }

@@ -16,6 +16,7 @@ struct Options {
     std::vector<std::string> rays; // letters of trace_rays.h
     std::string structure = "auto";
     std::string build = "balanced";
+    std::string peer_build = "high";
     std::string isa = "best";
     float empty_bonus = 0;
     std::string library;

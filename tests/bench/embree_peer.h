@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace peregrine::bench {
 
@@ -15,7 +16,8 @@ struct PeerBuild {
 // Whether this build has Embree.
 bool has_embree();
 
-// Embree's best quality (spatial splits) over one triangle mesh.
-PeerBuild build_with_embree(std::span<const geometry::Triangle> triangles, uint32_t threads);
+// Over one triangle mesh; `quality` is low, medium or high (spatial splits).
+PeerBuild build_with_embree(std::span<const geometry::Triangle> triangles, uint32_t threads,
+                            const std::string& quality);
 
 } // namespace peregrine::bench

@@ -9,7 +9,8 @@
 namespace peregrine::bench {
 
 EmbreeScene::EmbreeScene(std::span<const geometry::Triangle> triangles,
-                         const std::string& device_config, RTCSceneFlags flags)
+                         const std::string& device_config, RTCSceneFlags flags,
+                         RTCBuildQuality quality)
     : device_(rtcNewDevice(device_config.c_str())) {
     if (!device_) throw std::runtime_error("Embree cannot start");
     mesh_ = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -23,10 +24,10 @@ EmbreeScene::EmbreeScene(std::span<const geometry::Triangle> triangles,
         std::memcpy(vertices + 9 * i + 6, &triangles[i].v2, 12);
         for (uint32_t k = 0; k < 3; ++k) indices[3 * i + k] = uint32_t(3 * i + k);
     }
-    rtcSetGeometryBuildQuality(mesh_, RTC_BUILD_QUALITY_HIGH);
+    rtcSetGeometryBuildQuality(mesh_, quality);
     rtcCommitGeometry(mesh_);
     scene_ = rtcNewScene(device_);
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneBuildQuality(scene_, quality);
     rtcSetSceneFlags(scene_, flags);
     rtcAttachGeometry(scene_, mesh_);
 

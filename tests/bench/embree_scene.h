@@ -9,11 +9,11 @@
 
 namespace peregrine::bench {
 
-// Embree's best quality (spatial splits) over one triangle mesh.
+// Embree over one triangle mesh; its best quality has spatial splits.
 class EmbreeScene {
 public:
     EmbreeScene(std::span<const geometry::Triangle> triangles, const std::string& device_config,
-                RTCSceneFlags flags);
+                RTCSceneFlags flags, RTCBuildQuality quality = RTC_BUILD_QUALITY_HIGH);
     ~EmbreeScene();
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;

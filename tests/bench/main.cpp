@@ -45,6 +45,15 @@ void add_options(CLI::App& command, Options& options) {
     command.add_option("--json", options.json, "Write the rows to this file as well");
 }
 
+void add_structure_options(CLI::App& command, Options& options) {
+    command.add_option("--structure", options.structure, "auto, kdtree, bvh or bih")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "kdtree", "bvh", "bih"}));
+    command.add_option("--build", options.build, "balanced, fast or best")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"balanced", "fast", "best"}));
+}
+
 void add_trace_options(CLI::App& trace, Options& options) {
     options.rays = {"P", "S", "A", "D", "R", "L", "N"};
     trace
@@ -53,12 +62,7 @@ void add_trace_options(CLI::App& trace, Options& options) {
                     "of sight, N near; default: all")
         ->delimiter(',')
         ->check(CLI::IsMember({"P", "S", "A", "D", "R", "L", "N"}));
-    trace.add_option("--structure", options.structure, "auto, kdtree, bvh or bih")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"auto", "kdtree", "bvh", "bih"}));
-    trace.add_option("--build", options.build, "balanced, fast or best")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"balanced", "fast", "best"}));
+    add_structure_options(trace, options);
     trace.add_option("--isa", options.isa, "best, scalar, sse4, avx2 or avx512")
         ->capture_default_str()
         ->check(CLI::IsMember({"best", "scalar", "sse4", "avx2", "avx512"}));
@@ -76,7 +80,7 @@ int run(int argc, char** argv) {
     Options options;
     CLI::App app("Measures Peregrine, beside its peers where they are installed.");
     app.require_subcommand(1);
-    CLI::App* build = app.add_subcommand("build", "kd-tree build time and memory");
+    CLI::App* build = app.add_subcommand("build", "build time and memory of a structure");
     CLI::App* frame = app.add_subcommand("frame", "frames through the header");
     CLI::App* door = app.add_subcommand("door", "what a query costs beyond the bare traversal");
     CLI::App* trace = app.add_subcommand("trace", "rays of all kinds through the header");
@@ -87,7 +91,11 @@ int run(int argc, char** argv) {
     kernels->add_option("--json", options.json, "Write the rows to this file as well");
     for (CLI::App* command : {build, frame, door, trace}) add_options(*command, options);
     add_trace_options(*trace, options);
+    add_structure_options(*build, options);
     build->add_option("--peer", options.peers, "Peers: embree")->delimiter(',');
+    build->add_option("--peer-build", options.peer_build, "The peer's quality: low, medium or high")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"low", "medium", "high"}));
     build
         ->add_option("--empty-bonus", options.empty_bonus,
                      "SAH cost of a split that cuts off empty space: times 1 - this")

@@ -16,7 +16,7 @@ bool has_embree() {
     return false;
 }
 
-PeerBuild build_with_embree(std::span<const geometry::Triangle>, uint32_t) {
+PeerBuild build_with_embree(std::span<const geometry::Triangle>, uint32_t, const std::string&) {
     fail();
 }
 

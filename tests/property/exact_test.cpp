@@ -267,19 +267,6 @@ TEST(SceneFiles, AreThere) {
 
 // --------------------------------------------------------------------------------- adversaries
 
-std::vector<geometry::Triangle> soup(uint32_t seed, size_t count, float size, float scale) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> unit(-1, 1);
-    const auto point = [&] { return Vec3(unit(random), unit(random), unit(random)); };
-    TriangleList list;
-    for (size_t i = 0; i < count; ++i) {
-        const Vec3 center = point();
-        list.add(scale * (center + size * point()), scale * (center + size * point()),
-                 scale * (center + size * point()));
-    }
-    return list.triangles;
-}
-
 void expect_exact(std::vector<geometry::Triangle> triangles, size_t rays = 2000) {
     World world(std::move(triangles));
     compare_all(world, make_ray_sets(world.triangles, {}, {}, rays_per_set(rays), 11));

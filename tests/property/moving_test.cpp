@@ -61,17 +61,6 @@ bool same(const rt_hit& a, const rt_hit& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-std::vector<geometry::Triangle> soup(std::mt19937& random, size_t count, float size) {
-    std::uniform_real_distribution<float> unit(-1, 1);
-    const auto point = [&] { return Vec3(unit(random), unit(random), unit(random)); };
-    TriangleList list;
-    for (size_t i = 0; i < count; ++i) {
-        const Vec3 center = point();
-        list.add(center + size * point(), center + size * point(), center + size * point());
-    }
-    return list.triangles;
-}
-
 rt_mesh_desc describe(const std::vector<Vec3>& positions) {
     rt_mesh_desc desc = rt_default_mesh_desc();
     desc.index_type = RT_INDEX_NONE;
@@ -138,7 +127,7 @@ protected:
     }
 
     void deform(Part& part) {
-        part.triangles = soup(random_, part.triangles.size(), 0.2f);
+        part.triangles = soup(uint32_t(random_()), part.triangles.size(), 0.2f);
         const std::vector<Vec3> positions = corners(part.triangles);
         rt_mesh_update update = rt_default_mesh_update();
         update.positions = {positions.data(), positions.size(), 0, 0};
@@ -227,11 +216,11 @@ private:
 };
 
 TEST_P(MovingTest, EqualsBruteForce) {
-    add(soup(random_, 300, 0.3f), rt_add_static_mesh);
-    add(soup(random_, 200, 0.2f), rt_add_dynamic_mesh);
-    add(soup(random_, 100, 0.3f), rt_add_rigid_mesh);
-    add(soup(random_, 1, 1.0f), rt_add_rigid_mesh);
-    add(soup(random_, 50, 0.2f), rt_add_dynamic_mesh);
+    add(soup(uint32_t(random_()), 300, 0.3f), rt_add_static_mesh);
+    add(soup(uint32_t(random_()), 200, 0.2f), rt_add_dynamic_mesh);
+    add(soup(uint32_t(random_()), 100, 0.3f), rt_add_rigid_mesh);
+    add(soup(uint32_t(random_()), 1, 1.0f), rt_add_rigid_mesh);
+    add(soup(uint32_t(random_()), 50, 0.2f), rt_add_dynamic_mesh);
     for (int i = 0; i < 9; ++i) add_instance(2);
     for (uint32_t step = 0; step < 4; ++step) {
         for (Part& part : parts_)
@@ -244,7 +233,7 @@ TEST_P(MovingTest, EqualsBruteForce) {
 
 // At equal t the smaller (mesh, triangle) wins, whatever structure holds it.
 TEST_P(MovingTest, TiesGoToTheSmallerMesh) {
-    const std::vector<geometry::Triangle> same_for_all = soup(random_, 60, 0.4f);
+    const std::vector<geometry::Triangle> same_for_all = soup(uint32_t(random_()), 60, 0.4f);
     for (const auto add_mesh : {rt_add_rigid_mesh, rt_add_dynamic_mesh, rt_add_static_mesh,
                                 rt_add_rigid_mesh, rt_add_static_mesh, rt_add_dynamic_mesh})
         add(same_for_all, add_mesh);
@@ -254,9 +243,9 @@ TEST_P(MovingTest, TiesGoToTheSmallerMesh) {
 }
 
 TEST_P(MovingTest, LayersAndHiddenMeshes) {
-    add(soup(random_, 100, 0.4f), rt_add_static_mesh);
-    add(soup(random_, 100, 0.4f), rt_add_dynamic_mesh);
-    add(soup(random_, 60, 0.4f), rt_add_rigid_mesh);
+    add(soup(uint32_t(random_()), 100, 0.4f), rt_add_static_mesh);
+    add(soup(uint32_t(random_()), 100, 0.4f), rt_add_dynamic_mesh);
+    add(soup(uint32_t(random_()), 60, 0.4f), rt_add_rigid_mesh);
     for (int i = 0; i < 3; ++i) add_instance(2);
     for (size_t i = 0; i < parts_.size(); ++i) {
         parts_[i].layer_mask = 1u << (i % 3);
@@ -285,7 +274,7 @@ TEST_P(MovingTest, FarAwayAndTiny) {
         parts_.clear();
         TearDown();
         SetUp();
-        add(soup(random_, 80, 0.4f), rt_add_rigid_mesh);
+        add(soup(uint32_t(random_()), 80, 0.4f), rt_add_rigid_mesh);
         for (int i = 0; i < 6; ++i) add_instance(0);
         for (Part& part : parts_) place(part, far);
         commit();

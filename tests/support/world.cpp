@@ -30,6 +30,19 @@ void TriangleList::add(const math::Vec3& v0, const math::Vec3& v1, const math::V
         triangles.push_back({v0, 0, v1, primitive, v2, 0});
 }
 
+std::vector<geometry::Triangle> soup(uint32_t seed, size_t count, float size, float scale) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    const auto point = [&] { return math::Vec3(unit(random), unit(random), unit(random)); };
+    TriangleList list;
+    for (size_t i = 0; i < count; ++i) {
+        const math::Vec3 center = point();
+        list.add(scale * (center + size * point()), scale * (center + size * point()),
+                 scale * (center + size * point()));
+    }
+    return list.triangles;
+}
+
 std::string scenes_folder() {
     namespace fs = std::filesystem;
     if (const char* folder = std::getenv("PEREGRINE_SCENES")) return folder;

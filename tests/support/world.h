@@ -43,6 +43,10 @@ private:
     uint32_t next_ = 0;
 };
 
+// Triangles at random places of a cube of side 2, with corners up to `size` from there, all times
+// `scale`.
+std::vector<geometry::Triangle> soup(uint32_t seed, size_t count, float size, float scale = 1);
+
 // A scene file of those that are lent to tests, with its cameras and point lights.
 struct SceneFile {
     std::vector<geometry::Triangle> triangles;

@@ -88,7 +88,8 @@ void take_first(const World& world, Hit hit, uint32_t first, Hit& best) {
 
 } // namespace
 
-Hit closest_of_moving(const World& world, const math::Ray& ray, const Filter& filter, Hit best) {
+Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& filter) {
+    Hit best = world.fixed.kernels->closest(world.fixed.target, ray, filter);
     math::Ray left = ray; // what is left of it in front of the best hit
     left.t_max = std::min(ray.t_max, best.t);
     if (const Part& part = world.deforming; !part.empty()) {
@@ -109,7 +110,8 @@ Hit closest_of_moving(const World& world, const math::Ray& ray, const Filter& fi
     return best;
 }
 
-bool occluded_by_moving(const World& world, const math::Ray& ray, const Filter& filter) {
+bool occluded_by_parts(const World& world, const math::Ray& ray, const Filter& filter) {
+    if (world.fixed.kernels->occluded(world.fixed.target, ray, filter)) return true;
     if (const Part& part = world.deforming;
         !part.empty() && part.kernels->occluded(part.target, ray, filter))
         return true;

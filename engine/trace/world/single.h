@@ -6,17 +6,18 @@
 // its one structure.
 namespace peregrine::trace {
 
-Hit closest_of_moving(const World& world, const math::Ray& ray, const Filter& filter, Hit best);
-bool occluded_by_moving(const World& world, const math::Ray& ray, const Filter& filter);
+Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& filter);
+bool occluded_by_parts(const World& world, const math::Ray& ray, const Filter& filter);
 
+// The kernel's hit goes to the caller as it is: a copy on the way would wait for its stores.
 inline Hit closest(const World& world, const math::Ray& ray, const Filter& filter) {
-    const Hit hit = world.fixed.kernels->closest(world.fixed.target, ray, filter);
-    return world.moves ? closest_of_moving(world, ray, filter, hit) : hit;
+    if (world.moves) return closest_of_parts(world, ray, filter);
+    return world.fixed.kernels->closest(world.fixed.target, ray, filter);
 }
 
 inline bool occluded(const World& world, const math::Ray& ray, const Filter& filter) {
-    return world.fixed.kernels->occluded(world.fixed.target, ray, filter)
-           || (world.moves && occluded_by_moving(world, ray, filter));
+    if (world.moves) return occluded_by_parts(world, ray, filter);
+    return world.fixed.kernels->occluded(world.fixed.target, ray, filter);
 }
 
 } // namespace peregrine::trace
