@@ -41,6 +41,11 @@ bool is_wanted(const NamedStructure& structure) {
     return !wanted || std::string_view(wanted) == structure.name;
 }
 
+TEST(Structures, AreKnown) {
+    EXPECT_TRUE(std::ranges::any_of(kStructures, is_wanted))
+        << "PEREGRINE_STRUCTURE must be bvh, kdtree or bih";
+}
+
 struct NamedHint {
     trace::Coherence hint;
     const char* name;
