@@ -1,5 +1,6 @@
 #include "gameplay/sentry.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -9,6 +10,7 @@ namespace peregrine::gameplay {
 namespace {
 
 constexpr size_t kPoints = 5;
+constexpr double kCell = 256; // metres
 
 // Head, chest, feet, and the shoulders as the viewer sees them: to the left and right.
 std::array<Vec3, kPoints> points_of(const Target& target, const Vec3& eye) {
@@ -20,6 +22,11 @@ std::array<Vec3, kPoints> points_of(const Target& target, const Vec3& eye) {
     const double h = target.height;
     return {at(0.93 * h), at(0.7 * h), at(0.05 * h), at(0.8 * h) - shoulder,
             at(0.8 * h) + shoulder};
+}
+
+// What rays are relative to: near enough for floats, and the same whoever else watches.
+Vec3 origin_near(const Vec3& point) {
+    return glm::floor(point / kCell + 0.5) * kCell;
 }
 
 } // namespace
@@ -62,7 +69,7 @@ void Watch::update(const World& world, std::span<const Sentry> sentries,
         for (size_t t = 0; t < targets.size(); ++t)
             aim(sentries[s], targets[t], uint32_t(s * targets.size() + t));
     clear_.resize(from_.size());
-    if (!from_.empty()) world.lines_of_sight(from_[0], from_, to_, mask, clear_);
+    if (!from_.empty()) world.lines_of_sight(origin_near(from_[0]), from_, to_, mask, clear_);
 
     for (Notice& notice : notices_) notice.visibility = 0;
     for (size_t i = 0; i < pairs_.size(); ++i)

@@ -58,7 +58,7 @@ bool slide_on_ground(const Body& body, Vec3& position, Vec3 ground, Vec3 motion)
             ground = touch->normal;
             continue;
         }
-        if (climb_step(body, position, motion)) continue;
+        if (climb_step(body, ground, position, motion)) continue;
         free = false;
         const Vec3 wall = wall_on(touch->normal, ground);
         const double steepness = glm::length(wall);
