@@ -12,6 +12,7 @@ namespace peregrine::gameplay {
 namespace {
 
 constexpr double kLandingSkins = 2;
+constexpr double kLandingEdge = 0.5; // on an edge nearer to the axis than 0.87 radii
 
 Vec3 horizontal(const Vec3& v) {
     return {v.x, 0, v.z};
@@ -71,6 +72,7 @@ Capsule Character::capsule() const {
 }
 
 void Character::update(const CharacterInput& input, double seconds) {
+    if (!(seconds > 0)) return;
     if (state_.height <= 0) state_.height = rules_.height;
     const Vec3 ground_velocity = ride(input.motions) / seconds;
     const Body body(world_, rules_, mask_, state_.height);
@@ -149,7 +151,8 @@ void Character::fall(const Vec3& wish, double seconds, std::span<const MeshMotio
     slide_in_air(body, state_.position, state_.velocity, (before + after) * (0.5 * seconds));
     if (after.y > 0) return;
 
-    const auto ground = find_ground(body, state_.position, kLandingSkins * rules_.skin);
+    const auto ground =
+        find_ground(body, state_.position, kLandingSkins * rules_.skin, kLandingEdge);
     if (!ground) return;
     const Vec3 ground_velocity = displacement(motions, ground->mesh, ground->position) / seconds;
     state_.position = ground->position;

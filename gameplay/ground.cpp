@@ -22,11 +22,11 @@ Vec3 clip(const Vec3& direction, const Vec3& normal) {
 //         `--´\ n         ________
 //     ________| .         face: flat, so that it carries
 //             |
-std::optional<Vec3> carrying_normal(const Body& body, const Touch& touch) {
+std::optional<Vec3> carrying_normal(const Body& body, const Touch& touch, double least_edge) {
     if (body.is_walkable(touch.normal)) return touch.normal;
     const Vec3 aside(touch.normal.x, 0, touch.normal.z);
     const double length = glm::length(aside);
-    if (touch.normal.y <= 0 || length == 0) return std::nullopt;
+    if (touch.normal.y <= least_edge || length == 0) return std::nullopt;
     const double rise = 2 * kInset; // a face within the limit rises less on the inset
     const Vec3 from = touch.point - aside * (kInset / length) + kUp * rise;
     const auto face = body.world().closest(from, -2 * rise * kUp, body.mask());
@@ -34,14 +34,16 @@ std::optional<Vec3> carrying_normal(const Body& body, const Touch& touch) {
     return face->normal;
 }
 
-std::optional<Ground> on(const Body& body, const Vec3& position, const Touch& touch) {
-    const auto normal = carrying_normal(body, touch);
+std::optional<Ground> on(const Body& body, const Vec3& position, const Touch& touch,
+                         double least_edge) {
+    const auto normal = carrying_normal(body, touch, least_edge);
     if (!normal) return std::nullopt;
     return Ground{position, *normal, touch.point, touch.mesh};
 }
 
 // A body on a slope that is too steep: what stops it from sliding down within a few skins.
-std::optional<Ground> find_valley(const Body& body, const Vec3& position, const Touch& first) {
+std::optional<Ground> find_valley(const Body& body, const Vec3& position, const Touch& first,
+                                  double least_edge) {
     const double reach = kNearSkins * body.rules().skin;
     const Vec3 downhill = clip(-kUp, first.normal);
     const double steepness = glm::length(downhill);
@@ -49,7 +51,7 @@ std::optional<Ground> find_valley(const Body& body, const Vec3& position, const 
     Vec3 slid = position;
     const auto second = body.advance(slid, downhill * (reach / steepness));
     if (!second) return std::nullopt;
-    if (auto ground = on(body, slid, *second)) return ground;
+    if (auto ground = on(body, slid, *second, least_edge)) return ground;
 
     const Vec3 other = clip(-kUp, second->normal);
     if (second->normal.y <= 0 || glm::dot(other, first.normal) >= 0) return std::nullopt;
@@ -66,12 +68,13 @@ std::optional<Ground> find_valley(const Body& body, const Vec3& position, const 
 
 } // namespace
 
-std::optional<Ground> find_ground(const Body& body, const Vec3& position, double drop) {
+std::optional<Ground> find_ground(const Body& body, const Vec3& position, double drop,
+                                  double least_edge) {
     Vec3 lowered = position;
     const auto touch = body.advance(lowered, -drop * kUp);
     if (!touch) return std::nullopt;
-    if (auto ground = on(body, lowered, *touch)) return ground;
-    return find_valley(body, lowered, *touch);
+    if (auto ground = on(body, lowered, *touch, least_edge)) return ground;
+    return find_valley(body, lowered, *touch, least_edge);
 }
 
 } // namespace peregrine::gameplay

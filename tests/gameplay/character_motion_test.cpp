@@ -66,6 +66,21 @@ TEST(CharacterJump, BumpsItsHead) {
     EXPECT_LT(steps, 25); // half a second and more without the ceiling
 }
 
+//     ( )           jumps at a ledge that is a little too high, and does not get up by its side
+//     _( )|
+TEST(CharacterJump, CatchesNoLedgeWithItsSide) {
+    for (const double height : {0.9, 1.0, 1.22, 1.28}) {
+        Arena arena;
+        arena.add_floor(20);
+        arena.add_box({1, -1, -5}, {20, height, 5});
+        arena.commit();
+        Character character = standing(arena.world(), {0.5, 0, 0});
+        run(character, {.walk = {1, 0, 0}, .jump = true}, 1);
+        run(character, {.walk = {1, 0, 0}}, 120);
+        EXPECT_NEAR(character.state().position.y, height < 1.1 ? height : 0, 0.002) << height;
+    }
+}
+
 //      ______       crawls into a duct of 1.2 m, and gets up behind it alone
 //     |
 //      ( ) _____

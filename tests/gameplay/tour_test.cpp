@@ -72,7 +72,8 @@ private:
     void walk_part(const FloorGraph& graph, uint32_t start) {
         const std::vector<uint32_t> all = graph.reached_from(start);
         std::mt19937 random(1);
-        Character character = standing(arena_.world(), graph.position(start) + Vec3(0, 0.05, 0), kRules);
+        Character character =
+            standing(arena_.world(), graph.position(start) + Vec3(0, 0.05, 0), kRules);
         uint32_t at = start;
         for (size_t goal = 0; goal < extent_.goals; ++goal) {
             const uint32_t to = all[random() % all.size()];
@@ -88,7 +89,7 @@ private:
             const Vec3 before = character.state().position;
             const Vec3 left(point.x - before.x, 0, point.z - before.z);
             const double length = glm::length(left);
-            if (length < 0.1 && std::abs(point.y - before.y) < 0.5) {
+            if (length < 0.2 && std::abs(point.y - before.y) < 0.5) {
                 ++log_.reached;
                 return;
             }
