@@ -40,7 +40,7 @@ Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit) {
 
     Surface surface;
     const PlacedMesh placed(snapshot, mesh);
-    surface.position = placed.position(hit.triangle, hit.u, hit.v);
+    surface.position = snapshot.origin + placed.position(hit.triangle, hit.u, hit.v);
     surface.geometric_normal = placed.geometric_normal(hit.triangle);
     surface.shading_normal = placed.shading_normal(hit.triangle, hit.u, hit.v);
     if (!data.surface->texcoords.empty())

@@ -60,6 +60,7 @@ void Commit::show_lights() {
     for (const auto& slot : scene_.lights.slots())
         if (slot.object) {
             snapshot_.lights.push_back(*slot.object);
+            snapshot_.lights.back().position -= scene_.origin();
             snapshot_.features |= features_of(*slot.object);
         }
     snapshot_.environment = scene_.environment;
@@ -130,6 +131,8 @@ void Commit::find_bounds() {
 
 void Commit::prepare() {
     snapshot_.version = scene_.version_ + 1;
+    snapshot_.origin = scene_.origin();
+    snapshot_.displaced = snapshot_.origin != math::Vec3d(0);
     show_materials();
     show_meshes();
     show_lights();
