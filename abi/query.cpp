@@ -55,11 +55,11 @@ bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
     if (desc.kind == RT_QUERY_CLOSEST) {
         const query::Hits hits = to_hits(desc);
         const scene::SnapshotStore::Pin pin(host.scene.snapshots);
-        query::closest_hits(require_snapshot(pin), rays, selection, hits);
+        query::closest_hits(require_snapshot(pin), rays, {selection}, hits);
     } else {
         const query::Strided<uint8_t> occluded = to_occluded(desc);
         const scene::SnapshotStore::Pin pin(host.scene.snapshots);
-        query::occlusion(require_snapshot(pin), rays, selection, occluded);
+        query::occlusion(require_snapshot(pin), rays, {selection}, occluded);
     }
 }
 
