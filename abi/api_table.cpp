@@ -37,6 +37,10 @@ constexpr rt_api kApi = {
     .set_mesh_transform = rt_set_mesh_transform,
     .set_mesh_layer_mask = rt_set_mesh_layer_mask,
     .set_mesh_hidden = rt_set_mesh_hidden,
+    .set_world_origin = rt_set_world_origin,
+    .hold_snapshot = rt_hold_snapshot,
+    .release_snapshot = rt_release_snapshot,
+    .sweep_shapes = nullptr, .overlap_shapes=nullptr, .find_nearest=nullptr,
 };
 
 constexpr const char* kResultNames[] = {

@@ -62,9 +62,22 @@ struct Rays {
     const std::byte* records; // null: arrays
     uint32_t stride;
     RayArrays arrays;
+    // Added to every ray's own origin in double; the sum is rounded to float, once an axis. Not 0
+    // where the host's rays are relative to a point of its own.
+    math::Vec3d origin{0};
+
+    bool moved() const { return origin != math::Vec3d(0); }
+    float move(float value, int axis) const { return float(double(value) + origin[axis]); }
 
     math::Ray load(uint64_t i) const {
-        if (!records) return arrays.load(i);
+        math::Ray ray = records ? load_record(i) : arrays.load(i);
+        if (moved())
+            for (int k = 0; k < 3; ++k) ray.origin[k] = move(ray.origin[k], k);
+        return ray;
+    }
+
+private:
+    math::Ray load_record(uint64_t i) const {
         math::Ray ray;
         std::memcpy(&ray, records + i * stride, sizeof ray);
         return ray;
@@ -89,6 +102,18 @@ struct HitArrays {
     uint32_t* triangle;
     base::Handle* mesh;
     uint32_t* back_face;
+
+    void store(uint64_t i, const Hit& hit) const {
+        const auto put = [i](auto* array, auto value) {
+            if (array) store_element(array, i, value);
+        };
+        put(t, hit.t);
+        put(u, hit.u);
+        put(v, hit.v);
+        put(triangle, hit.triangle);
+        put(mesh, hit.mesh);
+        put(back_face, hit.back_face);
+    }
 };
 
 // Where the hits of a query go, in one form or the other.
@@ -96,6 +121,13 @@ struct Hits {
     std::byte* records; // null: arrays
     uint32_t stride;
     HitArrays arrays;
+
+    void store(uint64_t i, const Hit& hit) const {
+        if (records)
+            std::memcpy(records + i * stride, &hit, sizeof hit);
+        else
+            arrays.store(i, hit);
+    }
 };
 
 } // namespace peregrine::query

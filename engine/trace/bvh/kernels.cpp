@@ -14,8 +14,12 @@ Kernels make_kernels(base::Isa isa) {
         return kernels;
     }
     using Rays = OneRay<Plain>;
-    return {Rays::closest, Rays::occluded, closest_each<Rays::closest>,
-            occluded_each<Rays::occluded>, isa};
+    return {Rays::closest,
+            Rays::occluded,
+            closest_each<Rays::closest>,
+            occluded_each<Rays::occluded>,
+            Rays::visit,
+            isa};
 }
 
 } // namespace peregrine::trace::bvh

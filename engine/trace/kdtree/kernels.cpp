@@ -10,8 +10,12 @@ namespace peregrine::trace::kdtree {
 Kernels make_kernels(base::Isa isa) {
     using Rays = OneRay<Single>;
     const StreamKernels* streams = stream_kernels(isa);
-    return {Rays::closest, Rays::occluded, streams ? streams->closest : closest_each<Rays::closest>,
-            streams ? streams->occluded : occluded_each<Rays::occluded>, isa};
+    return {Rays::closest,
+            Rays::occluded,
+            streams ? streams->closest : closest_each<Rays::closest>,
+            streams ? streams->occluded : occluded_each<Rays::occluded>,
+            Rays::visit,
+            isa};
 }
 
 } // namespace peregrine::trace::kdtree
