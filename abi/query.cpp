@@ -49,17 +49,17 @@ bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
 
 // Apart from the short way, so that its registers and stack cost that one nothing.
 [[gnu::noinline]] void trace_any(const HostScene& host, const rt_query_desc& desc) {
-    const query::Selection selection = to_selection(desc);
+    const query::Request request{to_selection(desc)};
     if (desc.ray_count == 0) return;
     const query::Rays rays = to_rays(desc);
     if (desc.kind == RT_QUERY_CLOSEST) {
         const query::Hits hits = to_hits(desc);
         const scene::SnapshotStore::Pin pin(host.scene.snapshots);
-        query::closest_hits(require_snapshot(pin), rays, {selection}, hits);
+        query::closest_hits(require_snapshot(pin), rays, request, hits);
     } else {
         const query::Strided<uint8_t> occluded = to_occluded(desc);
         const scene::SnapshotStore::Pin pin(host.scene.snapshots);
-        query::occlusion(require_snapshot(pin), rays, {selection}, occluded);
+        query::occlusion(require_snapshot(pin), rays, request, occluded);
     }
 }
 

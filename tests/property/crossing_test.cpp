@@ -130,6 +130,12 @@ TEST(AllHits, OfAllKindsOfMeshes) {
     expect_brute_force(make, rays_per_set(60), 5, 100);
 }
 
+TEST(AllHits, OfTheHall) {
+    const SceneFile hall = load_scene("hall");
+    expect_brute_force([&](QueryWorld& world) { world.add(hall.triangles, MeshKind::fixed); },
+                       rays_per_set(10), 7, 8);
+}
+
 TEST(AllHits, OfExtremeSizes) {
     for (const float scale : {1e-38f, 1e-20f, 1e20f, 4e29f})
         expect_brute_force(
