@@ -176,9 +176,10 @@ void for_each_chunk(const Rays& rays, uint64_t first, uint64_t end, const RayLoa
 
 // Records that fit one chunk are checked on the way into it; of more of them, of arrays and of
 // moved rays, all are looked at before the first result is written.
-const RayLoaders& check(const scene::Snapshot& snapshot, const Rays& rays) {
+const RayLoaders& check(const scene::Snapshot& snapshot, const Rays& rays,
+                        base::Scheduler* scheduler) {
     const RayLoaders& loaders = ray_loaders(snapshot.isa());
-    if (!rays.records || rays.count > kChunk || rays.moved()) check_rays(rays, loaders);
+    if (!rays.records || rays.count > kChunk || rays.moved()) check_rays(rays, loaders, scheduler);
     return loaders;
 }
 
@@ -186,7 +187,7 @@ const RayLoaders& check(const scene::Snapshot& snapshot, const Rays& rays) {
 
 void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
                    const Request& request, const Hits& hits, const Surfaces& surfaces) {
-    const RayLoaders& loaders = check(snapshot, rays);
+    const RayLoaders& loaders = check(snapshot, rays, request.scheduler);
     spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
         HitChunk chunk(snapshot);
         for_each_chunk(rays, first, end, loaders, request.selection.coherence,
@@ -200,7 +201,7 @@ void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trac
 
 void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
                      const Request& request, const Strided<uint8_t>& occluded) {
-    const RayLoaders& loaders = check(snapshot, rays);
+    const RayLoaders& loaders = check(snapshot, rays, request.scheduler);
     spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
         Lane<uint8_t> room;
         for_each_chunk(rays, first, end, loaders, request.selection.coherence,

@@ -3,6 +3,7 @@
 #include "base/slot_map.h"
 #include "math/ray.h"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -54,6 +55,12 @@ struct RayArrays {
                 {at(4), at(5), at(6)},
                 array[kEnd] ? at(kEnd) : std::numeric_limits<float>::infinity()};
     }
+
+    RayArrays from(uint64_t first) const {
+        RayArrays rest;
+        for (uint32_t k = 0; k < 8; ++k) rest.array[k] = array[k] ? array[k] + first : nullptr;
+        return rest;
+    }
 };
 
 // The rays of a query, in one form or the other.
@@ -66,7 +73,11 @@ struct Rays {
     // where the host's rays are relative to a point of its own.
     math::Vec3d origin{0};
 
-    bool moved() const { return origin != math::Vec3d(0); }
+    // Whether the origin is not 0, of either sign; in integers, for the sake of small batches.
+    bool moved() const {
+        const auto bits = [this](int k) { return std::bit_cast<uint64_t>(origin[k]); };
+        return (bits(0) | bits(1) | bits(2)) << 1 != 0;
+    }
     float move(float value, int axis) const { return float(double(value) + origin[axis]); }
 
     math::Ray load(uint64_t i) const {
@@ -74,6 +85,11 @@ struct Rays {
         if (moved())
             for (int k = 0; k < 3; ++k) ray.origin[k] = move(ray.origin[k], k);
         return ray;
+    }
+
+    Rays part(uint64_t first, uint64_t end) const {
+        return records ? Rays{end - first, records + first * stride, stride, {}, origin}
+                       : Rays{end - first, nullptr, 0, arrays.from(first), origin};
     }
 
 private:

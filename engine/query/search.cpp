@@ -62,7 +62,7 @@ private:
 template <class Answer>
 void search_each(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                  Answer&& answer) {
-    check_rays(rays, ray_loaders(snapshot.isa()));
+    check_rays(rays, ray_loaders(snapshot.isa()), request.scheduler);
     const Accept& accept = request.selection.accept;
     const Chosen chosen(snapshot, request.selection);
     TotalCounters total;
