@@ -7,7 +7,6 @@
 #include "trace/world/single.h"
 
 namespace peregrine::query {
-namespace {
 
 trace::Filter make_filter(const scene::Snapshot& snapshot, const Selection& selection) {
     trace::Filter filter;
@@ -22,6 +21,8 @@ trace::Filter make_filter(const scene::Snapshot& snapshot, const Selection& sele
         filter.alpha = scene::alpha_test(snapshot);
     return filter;
 }
+
+namespace {
 
 void check_each(const Rays& rays) {
     for (uint64_t i = 0; i < rays.count; ++i) check_ray(i, rays.load(i));

@@ -16,7 +16,10 @@ struct Selection {
     base::Handle ignore_mesh;
     bool alpha_test = false;
     trace::Coherence coherence = trace::Coherence::automatic;
+    bool skip_separating = false; // sweeps: initial contacts that do not get deeper do not count
 };
+
+trace::Filter make_filter(const scene::Snapshot& snapshot, const Selection& selection);
 
 // Throw base::Error invalid_argument that names the first ray which is not one: a component NaN, an
 // origin infinite or beyond 1e30, a direction infinite or zero. Nothing is written then.

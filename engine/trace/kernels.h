@@ -8,6 +8,7 @@
 #include "math/box.h"
 #include "math/ray.h"
 #include "trace/filter.h"
+#include "trace/shapes/shapes.h"
 
 #include <cstdint>
 #include <limits>
@@ -104,6 +105,7 @@ struct Kernels {
     void (*occluded_stream)(const Target& target, const RayStream& rays, const Filter& filter,
                             uint8_t* occluded);
     base::Isa isa; // never `best`
+    ShapeKernels shapes{};
 };
 
 // The table for an instruction set; null if this machine lacks it. `best` never fails.
