@@ -40,7 +40,9 @@ constexpr rt_api kApi = {
     .set_world_origin = rt_set_world_origin,
     .hold_snapshot = rt_hold_snapshot,
     .release_snapshot = rt_release_snapshot,
-    .sweep_shapes = nullptr, .overlap_shapes=nullptr, .find_nearest=nullptr,
+    .sweep_shapes = rt_sweep_shapes,
+    .overlap_shapes = rt_overlap_shapes,
+    .find_nearest = rt_find_nearest,
 };
 
 constexpr const char* kResultNames[] = {

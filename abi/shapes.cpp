@@ -33,8 +33,8 @@ public:
     template <class Query, class Record, class Results>
     void run(Query&& query, const query::Strided<Record>& records, const Results& results) {
         const scene::Snapshot& snapshot = require_snapshot(pin_, options_.snapshot());
-        request_.origin = options_.origin_in(snapshot);
-        query(snapshot, records, request_, results);
+        query(snapshot, query::Placed<Record>{records, options_.origin_in(snapshot)}, request_,
+              results);
     }
 
     void write_stats() const { options_.write_stats(counters_); }

@@ -44,7 +44,8 @@ Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit, uint32_t fie
     if (is_miss(hit)) return surface;
     const scene::Snapshot::Mesh& mesh = snapshot.meshes[hit.mesh.index];
     const PlacedMesh placed(snapshot, mesh);
-    if (fields & kPosition) surface.position = snapshot.origin + placed.position(hit.triangle, hit.u, hit.v);
+    if (fields & kPosition)
+        surface.position = snapshot.origin + placed.position(hit.triangle, hit.u, hit.v);
     if (fields & kGeometricNormal) surface.geometric_normal = placed.geometric_normal(hit.triangle);
     if (fields & kShadingNormal)
         surface.shading_normal = placed.shading_normal(hit.triangle, hit.u, hit.v);

@@ -107,7 +107,8 @@ void Commit::place_instances() {
             alpha = alpha_test(snapshot_.instance_alphas.back());
         }
         snapshot_.instances.push_back(
-            {mesh.placement.to_local, part_of(*shape, first), i, mesh.layer_mask, alpha});
+            {mesh.placement.to_local, part_of(*shape, first), i, mesh.layer_mask, alpha,
+             &snapshot_.placement_of(snapshot_.meshes[i])->to_world, mesh.placement.mirrored});
         first += shape->infos.size();
         scene_.extents_.push_back(mesh.extent);
     }

@@ -8,6 +8,7 @@
 #include "math/box.h"
 #include "math/ray.h"
 #include "trace/filter.h"
+#include "trace/shapes/shapes.h"
 #include "trace/visitor.h"
 
 #include <cstdint>
@@ -107,6 +108,7 @@ struct Kernels {
     // Shows the visitor every triangle that it wants to see; no filter.
     void (*visit)(const Target& target, const math::Ray& ray, Visitor& visitor);
     base::Isa isa; // never `best`
+    ShapeKernels shapes{};
 };
 
 // The table for an instruction set; null if this machine lacks it. `best` never fails.
