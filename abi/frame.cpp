@@ -130,7 +130,7 @@ render::FrameStats render(scene::Scene& scene, const render::Camera& camera,
                           const render::Frame& frame) {
     const scene::SnapshotStore::Pin pin(scene.snapshots);
     render::FrameStats stats;
-    render::render_frame(require_snapshot(pin), camera, frame, scene.scheduler, &scene.memory,
+    render::render_frame(require_snapshot(pin), camera, frame, scene.scheduler, &scene.recycled,
                          &stats);
     return stats;
 }

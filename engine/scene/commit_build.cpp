@@ -34,8 +34,12 @@ Commit::Work Commit::work_for(MeshKind kind, const BuildChoice& choice) const {
 
 Commit::GeometryPointer Commit::build(const Work& work, const base::Progress& progress) const {
     check_count(work.triangles, work.kind);
-    const auto geometry = std::allocate_shared<Geometry>(
-        std::pmr::polymorphic_allocator<Geometry>(&scene_.memory), &scene_.memory);
+    // What is built once is not to leave its memory idle.
+    base::Memory* const memory = work.kind == MeshKind::deforming
+                                     ? static_cast<base::Memory*>(&scene_.recycled)
+                                     : &scene_.memory;
+    const auto geometry =
+        std::allocate_shared<Geometry>(std::pmr::polymorphic_allocator<Geometry>(memory), memory);
     geometry->triangles.reserve(work.triangles);
     geometry->infos.reserve(work.triangles);
     const auto collect = [&](uint32_t slot, uint32_t name) {
@@ -48,12 +52,12 @@ Commit::GeometryPointer Commit::build(const Work& work, const base::Progress& pr
     else
         for (uint32_t i = 0; i < slots.size(); ++i)
             if (is_seen(slots[i].object, work.kind)) collect(i, i);
-    build_structure(work.choice, scene_.scheduler, progress, &scene_.memory, *geometry);
+    build_structure(work.choice, scene_.scheduler, progress, memory, *geometry);
     return geometry;
 }
 
 void Commit::build_structures() {
-    base::Vector<Work> works(&scene_.memory);
+    base::Vector<Work> works(&scene_.recycled);
     snapshot_.fixed = scene_.fixed_;
     snapshot_.deforming = scene_.deforming_;
     if (!scene_.fixed_ || scene_.fixed_changed_ || scene_.fixed_build_ != options_.build.relevant())

@@ -19,10 +19,10 @@ uint32_t next_first_generation() {
 } // namespace
 
 Scene::Scene(const SceneOptions& options)
-    : first_generation_(next_first_generation()), memory(options.memory),
+    : first_generation_(next_first_generation()), memory(options.memory), recycled(&memory),
       scheduler(options.worker_count, options.host_scheduler, &memory),
       textures(first_generation_, &memory), materials(first_generation_, &memory),
-      meshes(first_generation_, &memory), lights(first_generation_, &memory), snapshots(&memory),
+      meshes(first_generation_, &memory), lights(first_generation_, &memory), snapshots(&recycled),
       isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa), extents_(&memory),
       order_(&memory) {
     if (!base::machine_has(isa_))
@@ -40,6 +40,7 @@ CommitReport Scene::commit(const CommitOptions& options) {
     CommitReport report = commit.report();
     commit.remember();
     draft.publish();
+    recycled.trim();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     report.commit_ms = elapsed.count();

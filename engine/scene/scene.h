@@ -3,6 +3,7 @@
 #include "accel/bvh/builder.h"
 #include "base/memory.h"
 #include "base/progress.h"
+#include "base/recycling_memory.h"
 #include "base/scheduler.h"
 #include "base/slot_map.h"
 #include "scene/light.h"
@@ -112,6 +113,7 @@ private:
 public:
     // In front of all that it serves, so that it goes last.
     base::HostMemory memory;
+    base::RecyclingMemory recycled; // for what commits and updates make again and again
     base::Scheduler scheduler;
 
     base::SlotMap<std::shared_ptr<const Texture>> textures;
