@@ -469,7 +469,7 @@ enum {
     RT_STRUCTURE_BIH = 3 /* builds quickly, takes little memory, traces one ray at a time */
 };
 
-/* How long to build for how much speed. The kd-tree and the BIH have one quality. */
+/* How long to build for how much speed. The kd-tree has one quality, the BIH two: fast and the rest. */
 typedef int32_t rt_build_quality;
 enum {
     RT_BUILD_BALANCED = 0,

@@ -1,5 +1,6 @@
 #include "accel/bih/builder.h"
 
+#include "accel/bih/morton.h"
 #include "accel/bih/top_levels.h"
 #include "accel/buffer.h"
 #include "accel/subtrees.h"
@@ -77,10 +78,14 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
 
     Buffer<Reference> references(memory);
     references.allocate(triangles.size());
-    const Task task{references.data(), options, control, memory};
+    const Task task{references.data(), options.fast, options, control, memory};
     Range root{};
     root.end = uint32_t(triangles.size());
-    root.extent = make_references(triangles, scheduler, memory, references.data());
+    if (options.fast)
+        root.extent.bounds =
+            make_sorted_references(triangles, scheduler, memory, references.data());
+    else
+        root.extent = make_references(triangles, scheduler, memory, references.data());
     root.cell = root.extent.bounds;
     tree.bounds = root.cell.box();
 

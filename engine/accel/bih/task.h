@@ -17,6 +17,7 @@ inline constexpr uint32_t kMaxLeaf = 8;
 // What all parts of one build share.
 struct Task {
     Reference* references; // sorted in place
+    bool along_curve;      // they were, once for all (morton.h)
     BuildOptions costs;
     Control& control;
     base::Memory* memory;
