@@ -49,7 +49,6 @@ CommitReport Scene::commit(const CommitOptions& options) {
 
 void Scene::touch_flags() {
     touch_triangles(MeshKind::fixed);
-    touch_triangles(MeshKind::deforming);
     ++flags_version_;
 }
 

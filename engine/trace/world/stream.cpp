@@ -51,8 +51,6 @@ public:
     }
 
     void run() {
-        if (!world_.deforming.empty()) visit_deforming();
-        if (!world_.nodes) return;
         RayNumber* const all = list(0);
         const uint32_t count = enter_all(world_.nodes[0].extent, all);
         if (count != 0) visit(0, 0, count);
@@ -65,19 +63,6 @@ private:
         for (uint32_t i = 0; i < rays_.count; ++i) to[i] = RayNumber(i);
         std::fill_n(to + rays_.count, 16, RayNumber(0));
         return lists_.enter(extent, gate_, to, rays_.count, to);
-    }
-
-    // Nothing is transformed: the slab test of slabs.h needs the triangles' own bounds alone.
-    void visit_deforming() {
-        Extent extent;
-        extent.box = world_.deforming.target.bounds;
-        const math::Vec3 most = glm::max(glm::abs(extent.box.lower), glm::abs(extent.box.upper));
-        extent.margin = 0x1p-19f * largest_component(most) + 0x1p-140f;
-        extent.slope = 0x1p-19f;
-        const uint32_t count = enter_all(extent, list(0));
-        sub_.clear();
-        for (uint32_t i = 0; i < count; ++i) add(list(0)[i], nullptr);
-        if (sub_.count() != 0) kind_.ask(world_, world_.deforming, filter_, sub_, gate_);
     }
 
     void visit(uint32_t place, uint32_t level, uint32_t count) {
@@ -107,16 +92,15 @@ private:
     void visit_instance(const Instance& instance, uint32_t level, uint32_t count) {
         if (!sees(filter_, instance)) return;
         sub_.clear();
-        for (uint32_t i = 0; i < count; ++i) add(list(level)[i], &instance.to_local);
+        for (uint32_t i = 0; i < count; ++i) add(list(level)[i], instance);
         if (sub_.count() != 0)
             kind_.ask(world_, instance.part, filter_within(filter_, instance), sub_, gate_);
     }
 
-    void add(uint32_t number, const math::Affine* transform) {
-        math::Ray ray = ray_at(rays_, number);
+    void add(uint32_t number, const Instance& instance) {
+        math::Ray ray = ray_at(rays_, number), local;
         ray.t_max = gate_.t_max[number];
-        if (transform && !to_local(*transform, math::Ray(ray), ray)) return;
-        sub_.add(ray, number);
+        if (within(instance, ray, local)) sub_.add(local, number);
     }
 
     const World& world_;
