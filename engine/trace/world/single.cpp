@@ -46,18 +46,18 @@ private:
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-// Calls visit(instance) for those that the ray may meet before `t_max`, which may shrink meanwhile,
-// roughly from front to back, until visit returns true.
+// Calls visit(instance) for those that the ray, which enters at `entry`, may meet before `t_max`,
+// which may shrink meanwhile, roughly from front to back, until visit returns true.
 template <class Visit>
-bool visit_instances(const World& world, const math::Ray& ray, const float& t_max, Visit&& visit) {
-    const Gate gate(ray);
+bool visit_instances(const World& world, const Gate& gate, double entry, const float& t_max,
+                     Visit&& visit) {
     struct Entry {
         uint32_t node;
         double t;
     };
     Entry stack[accel::instances::kMaxDepth];
     uint32_t height = 0;
-    Entry at = {0, gate.enter(world.nodes[0].extent, double(t_max))};
+    Entry at = {0, entry};
     for (;;) {
         while (at.t <= double(t_max) && at.t < kNowhere) {
             const Node& node = world.nodes[at.node];
@@ -89,10 +89,14 @@ void take_first(const World& world, Hit hit, uint32_t first, Hit& best) {
 } // namespace
 
 Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& filter) {
+    // Most rays miss all that moves: they pay for this alone.
+    const Gate gate(ray);
+    const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
+    if (entry == kNowhere) return world.fixed.kernels->closest(world.fixed.target, ray, filter);
     Hit best = world.fixed.kernels->closest(world.fixed.target, ray, filter);
     math::Ray left = ray; // what is left of it in front of the best hit
     left.t_max = std::min(ray.t_max, best.t);
-    visit_instances(world, ray, left.t_max, [&](const Instance& instance) {
+    visit_instances(world, gate, entry, left.t_max, [&](const Instance& instance) {
         math::Ray local;
         if (!sees(filter, instance) || !within(instance, left, local)) return false;
         const Part& part = instance.part;
@@ -107,7 +111,9 @@ Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& fil
 
 bool occluded_by_parts(const World& world, const math::Ray& ray, const Filter& filter) {
     if (world.fixed.kernels->occluded(world.fixed.target, ray, filter)) return true;
-    return visit_instances(world, ray, ray.t_max, [&](const Instance& instance) {
+    const Gate gate(ray);
+    const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
+    return visit_instances(world, gate, entry, ray.t_max, [&](const Instance& instance) {
         math::Ray local;
         return sees(filter, instance) && within(instance, ray, local)
                && instance.part.kernels->occluded(instance.part.target, local,
