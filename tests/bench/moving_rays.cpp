@@ -3,6 +3,7 @@
 #include "moving_world.h"
 #include "timing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -59,15 +60,19 @@ RayCost measure(const MovingWorld& without, const MovingWorld& with, const Rays&
             median(ratio)};
 }
 
-// Where characters may stand: half-way between an eye, or any place, and what it sees.
+// Where characters may stand: all over the level, in the midst of the air.
 std::vector<math::Vec3> places(const MovingWorld& level, const Rays& rays, size_t count) {
     std::vector<rt_hit> hits(rays.size());
     ask(level, rays, kBatch, hits.data());
     std::vector<math::Vec3> found;
-    for (size_t i = 0; i < rays.size() && found.size() < count; i += rays.size() / (2 * count))
+    for (size_t i = 0; i < rays.size() && found.size() < count; ++i)
         if (std::isfinite(hits[i].t))
             found.push_back(rays[i].origin + 0.5f * hits[i].t * rays[i].direction);
     return found;
+}
+
+const Rays& rays_of(const std::vector<test::RaySet>& sets, const char* name) {
+    return std::ranges::find(sets, name, &test::RaySet::name)->rays;
 }
 
 } // namespace
@@ -106,7 +111,7 @@ std::vector<RayCost> measure_rays(const rt_api& api, const test::SceneFile& leve
     for (const Moving& moving : all) {
         MovingWorld with(api, 1);
         with.add_level(level.triangles);
-        moving.add(with, places(without, sets[0].rays, moving.count));
+        moving.add(with, places(without, rays_of(sets, "random"), moving.count));
         with.commit();
         for (const test::RaySet& set : sets) {
             if (set.name != "camera" && set.name != "shadow" && set.name != "random") continue;

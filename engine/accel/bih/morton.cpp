@@ -12,6 +12,7 @@ namespace {
 
 constexpr uint32_t kTrianglesPerTask = 16384;
 constexpr uint32_t kCells = 1u << (kMortonBits / 3); // along an axis
+constexpr uint32_t kEnough = 4;                      // a leaf, whatever a split might save
 constexpr uint32_t kDigitBits = 10;
 constexpr uint32_t kDigits = 1u << kDigitBits;
 static_assert(kMortonBits % kDigitBits == 0);
@@ -103,7 +104,7 @@ Bounds make_sorted_references(std::span<const geometry::Triangle> triangles,
 }
 
 bool split_sorted(const Task& task, const Range& range, Halves& halves) {
-    if (range.size() == 1) return false;
+    if (range.size() <= kEnough) return false;
     const Reference* const references = task.references;
     const uint32_t first = references[range.begin].weight();
     const uint32_t differing = first ^ references[range.end - 1].weight();
