@@ -116,7 +116,7 @@ void Commit::place_instances() {
                    "the scene has %zu dynamic and rigid meshes and instances; at most %u are "
                    "supported",
                    snapshot_.instances.size(), accel::instances::kMaxInstances);
-    accel::instances::build(scene_.extents_, scene_.order_, snapshot_.instance_nodes);
+    accel::instances::build(scene_.extents_, scene_.places_, snapshot_.instance_nodes);
     world.instances = snapshot_.instances.data();
     world.instance_count = uint32_t(snapshot_.instances.size());
     world.nodes = snapshot_.instances.empty() ? nullptr : snapshot_.instance_nodes.data();

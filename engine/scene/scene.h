@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/bvh/builder.h"
+#include "accel/instances/builder.h"
 #include "base/memory.h"
 #include "base/progress.h"
 #include "base/recycling_memory.h"
@@ -153,7 +154,7 @@ private:
     uint64_t version_ = 0;
     uint64_t commits_begun_ = 0;
     Extents extents_; // room for commits to work in
-    base::Vector<uint32_t> order_;
+    base::Vector<accel::instances::Place> places_;
 };
 
 } // namespace peregrine::scene

@@ -81,12 +81,14 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
     references.allocate(triangles.size());
     Buffer<Node> nodes(memory);
     nodes.allocate(kNodesPerTriangle * triangles.size());
-    const Task task{references.data(), options.fast, nodes.data(), options, control, memory};
+    Buffer<Bounds> blocks(memory);
+    if (options.fast) blocks.allocate(blocks_for(triangles.size()));
+    const Task task{references.data(), blocks.data(), nodes.data(), options, control, memory};
     Range root{};
     root.end = uint32_t(triangles.size());
     if (options.fast)
         root.extent.bounds =
-            make_sorted_references(triangles, scheduler, memory, references.data());
+            make_sorted_references(triangles, scheduler, memory, references.data(), blocks.data());
     else
         root.extent = make_references(triangles, scheduler, memory, references.data());
     root.cell = root.extent.bounds;

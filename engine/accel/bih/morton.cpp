@@ -11,6 +11,7 @@ namespace peregrine::accel::bih {
 namespace {
 
 constexpr uint32_t kTrianglesPerTask = 16384;
+static_assert(kTrianglesPerTask % kBlock == 0);
 constexpr uint32_t kCells = 1u << (kMortonBits / 3); // along an axis
 constexpr uint32_t kEnough = 4;                      // a leaf, whatever a split might save
 constexpr uint32_t kDigitBits = 10;
@@ -34,9 +35,21 @@ uint32_t place_of(const Ints& cell) {
            | spread(uint32_t(cell[2])) << 2;
 }
 
-Bounds bounds_of(std::span<const Reference> references) {
+void extend(Bounds& bounds, const Task& task, uint32_t begin, uint32_t end) {
+    for (uint32_t i = begin; i < end; ++i) bounds.extend(task.references[i].bounds());
+}
+
+// Of references [begin, end), by whole blocks where there are any.
+Bounds bounds_of(const Task& task, uint32_t begin, uint32_t end) {
+    const uint32_t first = (begin + kBlock - 1) / kBlock, last = end / kBlock;
     Bounds bounds;
-    for (const Reference& reference : references) bounds.extend(reference.bounds());
+    if (first >= last) {
+        extend(bounds, task, begin, end);
+        return bounds;
+    }
+    extend(bounds, task, begin, first * kBlock);
+    for (uint32_t block = first; block < last; ++block) bounds.extend(task.blocks[block]);
+    extend(bounds, task, last * kBlock, end);
     return bounds;
 }
 
@@ -78,7 +91,7 @@ float cost_of(const Range& range, const Halves& halves) {
 
 Bounds make_sorted_references(std::span<const geometry::Triangle> triangles,
                               base::Scheduler& scheduler, base::Memory* memory,
-                              Reference* references) {
+                              Reference* references, Bounds* blocks) {
     const size_t count = triangles.size();
     Buffer<Reference> unsorted(memory);
     Buffer<Key> keys(memory), room(memory);
@@ -96,9 +109,12 @@ Bounds make_sorted_references(std::span<const geometry::Triangle> triangles,
     });
     const Key* const sorted = sort(keys.data(), room.data(), count);
     for_pieces(count, scheduler, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i)
-            references[i] = Reference::make(sorted[i].index, unsorted[sorted[i].index].bounds(),
-                                            sorted[i].place);
+        for (size_t i = begin; i < end; ++i) {
+            const Bounds bounds = unsorted[sorted[i].index].bounds();
+            references[i] = Reference::make(sorted[i].index, bounds, sorted[i].place);
+            if (i % kBlock == 0) blocks[i / kBlock] = Bounds{};
+            blocks[i / kBlock].extend(bounds);
+        }
     });
     return extent.bounds;
 }
@@ -121,8 +137,8 @@ bool split_sorted(const Task& task, const Range& range, Halves& halves) {
         halves.axis = bit % 3;
     }
     halves.left.end = middle;
-    halves.left.extent.bounds = bounds_of({references + range.begin, references + middle});
-    halves.right.extent.bounds = bounds_of({references + middle, references + range.end});
+    halves.left.extent.bounds = bounds_of(task, range.begin, middle);
+    halves.right.extent.bounds = bounds_of(task, middle, range.end);
     finish(range, halves);
     return range.size() > kMaxLeaf
            || task.costs.traversal_cost + task.costs.intersection_cost * cost_of(range, halves)

@@ -155,7 +155,7 @@ void finish(const Range& range, Halves& halves) {
 }
 
 bool split(const Task& task, const Range& range, Halves& halves) {
-    if (task.along_curve) return split_sorted(task, range, halves);
+    if (task.blocks) return split_sorted(task, range, halves);
     if (range.size() == 1) return false;
     Plane plane;
     if (range.depth + levels_for(range.size()) < kMaxDepth) plane = find_plane(task, range);

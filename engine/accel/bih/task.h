@@ -20,7 +20,7 @@ inline constexpr uint32_t kNodesPerTriangle = 3;
 // What all parts of one build share.
 struct Task {
     Reference* references; // sorted in place
-    bool along_curve;      // they were, once for all (morton.h)
+    const Bounds* blocks;  // null, or they were sorted along a curve, once for all (morton.h)
     Node* nodes;           // room for those of subtrees
     BuildOptions costs;
     Control& control;
