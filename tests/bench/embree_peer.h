@@ -25,7 +25,7 @@ PeerBuild build_with_embree(std::span<const geometry::Triangle> triangles, uint3
 class PeerDeforming {
 public:
     virtual ~PeerDeforming() = default;
-    virtual double deform(std::span<const math::Vec3> positions) = 0; // wall seconds
+    virtual double deform(std::span<const math::Vec3> positions) = 0; // processor seconds
 };
 
 std::unique_ptr<PeerDeforming> deform_with_embree(std::span<const uint32_t> indices,
