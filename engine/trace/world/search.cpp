@@ -80,12 +80,13 @@ void Search::visit_parts(const math::Ray& ray, Visitor::Wants wants, Hits& hits)
         return hits.limit() == kNothing;
     };
     if (visit(world_.fixed, left, filter_, nullptr)) return;
-    if (!world_.deforming.empty() && visit(world_.deforming, left, filter_, nullptr)) return;
     if (!world_.nodes) return;
-    visit_instances(world_, ray, left.t_max, [&](const Instance& instance) {
+    const Gate gate(ray);
+    const double entry = gate.enter(world_.nodes[0].extent, double(left.t_max));
+    visit_instances(world_, gate, entry, left.t_max, [&](const Instance& instance) {
         math::Ray local;
-        if (!sees(filter_, instance) || !to_local(instance.to_local, left, local)) return false;
-        ++counters_.instances;
+        if (!sees(filter_, instance) || !within(instance, left, local)) return false;
+        counters_.instances += instance.has_own_space;
         return visit(instance.part, local, filter_within(filter_, instance), &instance);
     });
 }
