@@ -299,5 +299,18 @@ TEST(Animation, ZeroQuaternionsTurnNothing) {
     expect_near(rigid_at(import(builder), 1.0, {1, 0, 0}), {11, 0, 0});
 }
 
+TEST(Animation, TheMillHasOneOfEachKind) {
+    const Level level = gltf::import_file(PEREGRINE_SOURCE_DIR "/content/mill.glb", "");
+    EXPECT_TRUE(level.notes.empty());
+    EXPECT_EQ(level.rig.clips.size(), 7u);
+    EXPECT_EQ(level.deforming_meshes.size(), 2u); // the flag and the pond
+    size_t sails = 0;
+    for (const RigidMesh& rigid : level.rigid_meshes)
+        if (rigid.mesh.name == "sail_0") sails = rigid.nodes.size();
+    EXPECT_EQ(sails, 4u);
+    EXPECT_NE(level.cameras.at(2).node, no_index);
+    EXPECT_EQ(level.cameras.at(0).node, no_index);
+}
+
 } // namespace
 } // namespace host::test
