@@ -67,6 +67,22 @@ uint32_t find_width(const Track& track, const Accessor& values) {
     return static_cast<uint32_t>(width);
 }
 
+// Exporters write keys for things that stand still, too.
+bool holds_rest(const Track& track, const tinygltf::Node& node) {
+    std::vector<double> rest = track.property == Property::translation ? node.translation
+                               : track.property == Property::rotation  ? node.rotation
+                                                                       : node.scale;
+    if (track.property == Property::weights || track.interpolation == Interpolation::cubic)
+        return false;
+    if (rest.size() != track.width)
+        rest = track.property == Property::rotation ? std::vector<double>{0.0, 0.0, 0.0, 1.0}
+               : track.property == Property::scale  ? std::vector<double>(3, 1.0)
+                                                    : std::vector<double>(3, 0.0);
+    for (size_t i = 0; i < track.values.size(); ++i)
+        if (track.values[i] != static_cast<float>(rest[i % track.width])) return false;
+    return true;
+}
+
 class ClipReader {
 public:
     ClipReader(const tinygltf::Model& model, Accessors& accessors, Budget& budget, Notes& notes)
@@ -92,7 +108,8 @@ private:
                 return;
             }
             clip.duration = std::max(clip.duration, static_cast<double>(track.times.back()));
-            clip.tracks.push_back(std::move(track));
+            if (!holds_rest(track, model_.nodes[track.node]))
+                clip.tracks.push_back(std::move(track));
         } catch (const InputError& error) {
             notes_.add("a part of the animation \"" + animation.name.substr(0, 80)
                        + "\" is left out: " + error.what());

@@ -292,6 +292,19 @@ TEST(Animation, BrokenChannelsAreLeftOutWithANote) {
     });
 }
 
+// ... but count for how long the clip is.
+TEST(Animation, KeysThatHoldTheRestPoseMoveNothing) {
+    GltfBuilder builder = make_door();
+    builder.push("nodes", {{"mesh", 0}, {"translation", {3, 0, 0}}});
+    builder.json["scenes"][0]["nodes"] = {1, 2};
+    add_channel(builder, 2, "translation", "LINEAR", {0, 4}, {3, 0, 0, 3, 0, 0}, 3);
+    add_channel(builder, 2, "scale", "STEP", {0}, {1, 1, 1}, 3);
+    const Level level = import(builder);
+    EXPECT_EQ(level.meshes.size(), 1u);
+    EXPECT_EQ(level.rig.clips.at(0).tracks.size(), 1u);
+    EXPECT_EQ(level.rig.clips.at(0).duration, 4.0);
+}
+
 TEST(Animation, ZeroQuaternionsTurnNothing) {
     GltfBuilder builder = make_door();
     builder.json["animations"][0]["samplers"][0]["output"] =
