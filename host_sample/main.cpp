@@ -13,7 +13,6 @@
 #include "plugin.h"
 #include "session.h"
 #include "stats.h"
-#include "upload.h"
 #include "viewer.h"
 #include "window.h"
 
@@ -22,7 +21,8 @@ namespace host {
 namespace {
 
 Level load_level(const Options& options) {
-    Level level = gltf::import_file(options.scene.empty() ? default_scene() : options.scene);
+    Level level = gltf::import_file(options.scene.empty() ? default_scene() : options.scene,
+                                    options.animation);
     if (level.triangle_count() == 0)
         throw InputError("the scene file " + level.name + " has no triangles to show");
     if (level.lights.empty()) {
@@ -86,9 +86,10 @@ int run(const Options& options) {
 
     const Plugin plugin(options.library);
     Stage stage(plugin.api(), options.threads, options.isa);
-    upload_level(stage, level, options.ambient);
+    Player player(stage, level, upload_level(stage, level, options.ambient));
+    player.describe(options.time);
     const rt_commit_report report = build(stage, options);
-    Session session{options, level, std::move(cameras), camera, stage, report, {}, 0, 0};
+    Session session{options, level, std::move(cameras), camera, stage, player, report, {}, 0, 0};
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);
     return 0;

@@ -9,8 +9,11 @@
 namespace host {
 
 struct Options {
-    std::string scene;  // empty: the default one
-    std::string camera; // a name or an index; empty: the first
+    std::string scene;               // empty: the default one
+    std::string camera;              // a name or an index; empty: the first
+    std::string animation;           // a name or an index, "none", or empty: all of them
+    double time = 0.0;               // seconds, at the first frame
+    std::optional<double> time_step; // seconds from frame to frame without a window
     uint32_t width = 1280, height = 720;
     std::optional<uint32_t> frames;
     std::string out;
