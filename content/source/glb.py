@@ -201,6 +201,8 @@ class Writer:
             self.nodes.append({"name": camera.name, "camera": k, "matrix": matrix})
         for k, position in enumerate(self.scene.spawns):
             self.nodes.append({"name": f"spawn_{k}", "translation": list(position)})
+        for name, position in self.scene.marks:
+            self.nodes.append({"name": name, "translation": [round(v, 5) for v in position]})
 
     def write(self) -> bytes:
         for name, model in {**self.scene.rooms, **self.scene.prefabs}.items():
