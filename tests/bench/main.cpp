@@ -33,9 +33,11 @@ void write_json(const Options& options, const std::string& rows) {
 }
 
 void add_options(CLI::App& command, Options& options) {
-    command.add_option("--scene", options.scenes,
-                       "Scene files (.glb, .gltf); default: our hall and those of "
-                       "$PEREGRINE_SCENES or ../shared/scenes");
+    command
+        .add_option("--scene", options.scenes,
+                    "Scene files (.glb, .gltf); default: our hall and those of "
+                    "$PEREGRINE_SCENES or ../shared/scenes")
+        ->check(CLI::ExistingFile);
     command.add_option("--passes", options.passes, "Passes; medians are printed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));

@@ -10,6 +10,8 @@
 namespace peregrine::bench {
 namespace {
 
+constexpr double kPatience = 5; // seconds: who takes longer than this runs but once
+
 double time_run(const QueryContestant& contestant, QueryAnswers& answers) {
     const double start = thread_seconds();
     contestant.run(answers);
@@ -19,7 +21,8 @@ double time_run(const QueryContestant& contestant, QueryAnswers& answers) {
 struct Entrant {
     QueryContestant* contestant;
     Accuracy accuracy;
-    std::vector<double> seconds = {};
+    bool is_slow;
+    std::vector<double> seconds; // a pass
 };
 
 } // namespace
@@ -53,11 +56,13 @@ void QueryRace::hold(const std::string& scene, const std::string& item,
         const double seconds = time_run(contestant, answers);
         std::fprintf(stderr, "  %-16s %10.0f thousand/s\n", contestant.name().c_str(),
                      1e-3 * double(set.size()) / seconds);
-        entrants.push_back({&contestant, judgement(i, answers)});
+        const bool is_slow = seconds > kPatience;
+        entrants.push_back({&contestant, judgement(i, answers), is_slow, {}});
+        if (is_slow) entrants.back().seconds.push_back(seconds);
     }
     for (uint32_t pass = 0; pass < passes_; ++pass)
         for (Entrant& entrant : entrants)
-            entrant.seconds.push_back(time_run(*entrant.contestant, answers));
+            if (!entrant.is_slow) entrant.seconds.push_back(time_run(*entrant.contestant, answers));
     for (const Entrant& entrant : entrants) {
         rows_.push_back({scene, item, entrant.contestant->name(),
                          double(set.size()) / median(entrant.seconds), entrant.accuracy});

@@ -139,13 +139,13 @@ void race_far(QueryRace& race, const TraceScene& scene, const QuerySet& sight) {
 }
 
 void race_small(QueryRace& race, const TraceScene& scene, const std::string& item,
-                const QuerySet& set, size_t judged) {
+                const QuerySet& set) {
     Triangles triangles = scene.triangles;
     for (geometry::Triangle& triangle : triangles)
         for (Vec3* v : {&triangle.v0, &triangle.v1, &triangle.v2}) *v *= kSmall;
     const QuerySet small = scaled(set, kSmall);
     const Reference reference(triangles, kBand * double(kSmall));
-    const ReferenceAnswers right = answer_by_reference(reference, small, judged);
+    const ReferenceAnswers right = answer_by_reference(reference, small, small.size());
     race.hold(scene.name, "1e-4-" + item, race.gather({triangles}), small,
               [&](size_t, const QueryAnswers& answers) {
                   return judge(small, answers, right, double(kSmall));

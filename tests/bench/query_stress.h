@@ -14,6 +14,6 @@ void race_far(QueryRace& race, const TraceScene& scene, const QuerySet& sight);
 
 // Sets of a level at a ten-thousandth of its size, beside the reference of the small level.
 void race_small(QueryRace& race, const TraceScene& scene, const std::string& item,
-                const QuerySet& set, size_t judged);
+                const QuerySet& set);
 
 } // namespace peregrine::bench
