@@ -1,4 +1,5 @@
 #include "embree_peer.h"
+#include "embree_queries.h"
 #include "embree_tracer.h"
 
 #include <stdexcept>
@@ -27,6 +28,10 @@ std::unique_ptr<PeerDeforming> deform_with_embree(std::span<const uint32_t>,
 
 std::unique_ptr<Tracer> make_embree_tracer(const std::string&, std::span<const geometry::Triangle>,
                                            uint32_t) {
+    fail();
+}
+
+std::unique_ptr<QueryContestant> make_embree_queries(const Level&, bool) {
     fail();
 }
 
