@@ -160,6 +160,13 @@ void Grenade::set(const Spinning& body) {
     state_.spin = body.spin;
 }
 
+// As it must to roll without slipping.
+void Grenade::turn() {
+    if (rules_.friction == 0) return;
+    const Vec3& ground = state_.contacts.normals()[0];
+    state_.spin = glm::cross(ground, state_.flight.velocity) / rules_.radius;
+}
+
 // What stays within a millimetre has come to rest, however it trembles there.
 void Grenade::note_place() {
     if (glm::distance(state_.flight.position, state_.anchor) <= kDozeWithin) return;
@@ -206,8 +213,7 @@ bool Grenade::roll_on(const World& world) {
         state_.motion = Motion::flying;
         return true;
     }
-    if (rules_.friction > 0)
-        state_.spin = glm::cross(end.contacts.normals()[0], end.velocity) / rules_.radius;
+    turn();
     note_place();
     return true;
 }

@@ -76,6 +76,7 @@ private:
     void fly_off();
     void set(const Spinning& body);
     void note_place();
+    void turn();
 
     GrenadeRules rules_;
     GrenadeState state_;

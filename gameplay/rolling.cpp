@@ -75,6 +75,9 @@ Rolling follow(const World& world, const RollingRules& rules, const Rolling& bal
         const auto ground = world.sweep({end.position, rules.radius}, probe, rules.mask, false);
         if (!ground) continue;
         const Vec3 towards = glm::normalize(ground->normal);
+        // What turns away faster than gravity can turn its way is not followed.
+        const double turning = std::max(0.0, -s * glm::dot(rules.gravity, towards));
+        if (glm::dot(end.velocity, towards) > turning + kStill) continue;
         end.position += ground->t * probe + (ground->depth + kSkin) * towards;
         end.contacts.add(towards);
     }
