@@ -23,8 +23,9 @@ public:
     HitIds of(uint32_t triangle) const {
         if (triangle == geometry::kNoTriangle) return {geometry::kNoTriangle, {}};
         const geometry::TriangleInfo info = trace::info(world_, triangle);
-        return {info.primitive, {info.mesh, generations_[info.mesh]}};
+        return {info.primitive, mesh(info.mesh)};
     }
+    base::Handle mesh(uint32_t slot) const { return {slot, generations_[slot]}; }
 
 private:
     const trace::World& world_;

@@ -60,6 +60,7 @@ void Commit::show_lights() {
     for (const auto& slot : scene_.lights.slots())
         if (slot.object) {
             snapshot_.lights.push_back(*slot.object);
+            snapshot_.lights.back().position -= scene_.origin();
             snapshot_.features |= features_of(*slot.object);
         }
     snapshot_.environment = scene_.environment;
@@ -106,7 +107,8 @@ void Commit::place_instances() {
             alpha = alpha_test(snapshot_.instance_alphas.back());
         }
         snapshot_.instances.push_back(
-            {mesh.placement.to_local, part_of(*shape, first), i, mesh.layer_mask, alpha});
+            {mesh.placement.to_local, part_of(*shape, first), i, mesh.layer_mask, alpha,
+             &snapshot_.placement_of(snapshot_.meshes[i])->to_world, mesh.placement.mirrored});
         first += shape->infos.size();
         scene_.extents_.push_back(mesh.extent);
     }
@@ -130,6 +132,8 @@ void Commit::find_bounds() {
 
 void Commit::prepare() {
     snapshot_.version = scene_.version_ + 1;
+    snapshot_.origin = scene_.origin();
+    snapshot_.displaced = snapshot_.origin != math::Vec3d(0);
     show_materials();
     show_meshes();
     show_lights();

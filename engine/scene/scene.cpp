@@ -22,7 +22,8 @@ Scene::Scene(const SceneOptions& options)
     : first_generation_(next_first_generation()), memory(options.memory),
       scheduler(options.worker_count, options.host_scheduler, &memory),
       textures(first_generation_, &memory), materials(first_generation_, &memory),
-      meshes(first_generation_, &memory), lights(first_generation_, &memory), snapshots(&memory),
+      meshes(first_generation_, &memory), lights(first_generation_, &memory),
+      snapshots(first_generation_, &memory),
       isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa), extents_(&memory),
       order_(&memory) {
     if (!base::machine_has(isa_))
@@ -44,6 +45,13 @@ CommitReport Scene::commit(const CommitOptions& options) {
         std::chrono::steady_clock::now() - start;
     report.commit_ms = elapsed.count();
     return report;
+}
+
+void Scene::set_origin(const math::Vec3d& origin) {
+    origin_ = origin;
+    for (auto& slot : meshes.slots())
+        if (slot.object && slot.object->kind == MeshKind::rigid)
+            slot.object->stand(slot.object->transform, origin_);
 }
 
 void Scene::touch_flags() {

@@ -42,13 +42,20 @@ struct MeshDescription {
     MeshKind kind = MeshKind::fixed;
     uint64_t user_data = 0;
     bool hidden = false;
-    std::shared_ptr<Shape> shape = {}; // of a rigid mesh, and where it stands
-    Placement placement = {};
+    std::shared_ptr<Shape> shape = {}; // of a rigid mesh, and ...
+    math::Affine transform = {};       // where it stands: absolute, ...
+    Placement placement = {};          // ... and relative to Scene::origin()
 
     // What commits found out and keep until it changes.
     ShownMaterials shown = {};            // of a mesh without a shape
     accel::instances::Extent extent = {}; // of a rigid mesh
     bool extent_is_known = false;
+
+    void stand(const math::Affine& at, const math::Vec3d& origin) {
+        transform = at;
+        placement = place(at, origin);
+        extent_is_known = false;
+    }
 };
 
 // A material whose textures are still handles: commit resolves them.
@@ -121,6 +128,11 @@ public:
     Environment environment;
     SnapshotStore snapshots;
 
+    // What snapshots are relative to from the next commit on. Fixed and deforming meshes already
+    // are.
+    void set_origin(const math::Vec3d& origin);
+    const math::Vec3d& origin() const { return origin_; }
+
     // To be called when triangles of a kind of meshes came, went or moved: the next commit builds
     // their structure anew. Rigid meshes have theirs, wherever they stand.
     void touch_triangles(MeshKind kind) {
@@ -141,6 +153,7 @@ private:
     using Extents = base::Vector<accel::instances::Extent>;
 
     base::Isa isa_; // never `best`
+    math::Vec3d origin_{0};
     std::shared_ptr<const Geometry> fixed_;
     std::shared_ptr<const Geometry> deforming_;
     std::shared_ptr<const MaterialSet> material_set_;

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "base/memory.h"
-#include "math/affine.h"
 #include "scene/features.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
 #include "scene/material_set.h"
 #include "scene/mesh.h"
+#include "scene/placement.h"
 #include "trace/world/world.h"
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -16,14 +17,6 @@
 namespace peregrine::scene {
 
 struct Snapshot;
-
-// Where a rigid mesh stands.
-struct Placement {
-    math::Affine to_world;
-    math::Affine to_local;
-    double condition = 1; // the product of their norms: how much errors may grow
-    bool mirrored = false;
-};
 
 // Whose alpha an instance's test asks about.
 struct InstanceAlpha {
@@ -72,6 +65,9 @@ struct Snapshot {
     Environment environment;
     uint32_t features = 0; // Feature bits that the scene has
     uint64_t version = 0;
+    math::Vec3d origin{0};          // that everything above is relative to, and ...
+    bool displaced = false;         // ... whether it is not (0, 0, 0)
+    std::atomic<uint32_t> holds{0}; // handles of the host that keep it: the store's to count
 };
 
 } // namespace peregrine::scene

@@ -8,6 +8,8 @@
 #include "math/box.h"
 #include "math/ray.h"
 #include "trace/filter.h"
+#include "trace/shapes/shapes.h"
+#include "trace/visitor.h"
 
 #include <cstdint>
 #include <limits>
@@ -103,7 +105,10 @@ struct Kernels {
                            const HitStream& hits);
     void (*occluded_stream)(const Target& target, const RayStream& rays, const Filter& filter,
                             uint8_t* occluded);
+    // Shows the visitor every triangle that it wants to see; no filter.
+    void (*visit)(const Target& target, const math::Ray& ray, Visitor& visitor);
     base::Isa isa; // never `best`
+    ShapeKernels shapes{};
 };
 
 // The table for an instruction set; null if this machine lacks it. `best` never fails.

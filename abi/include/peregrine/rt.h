@@ -670,12 +670,12 @@ static inline rt_hit_arrays rt_default_hit_arrays(void) {
     return arrays;
 }
 
-/* Asked about a triangle that would count: return 0, and it does not. For rays `candidate` is the
- * hit; for shapes it names the triangle, with t, u and v 0. It is called in no particular order,
- * possibly more than once for a triangle and for triangles that are not in the answer, on the
- * thread of the query; on any of the scene's with RT_QUERY_USE_THREADS. It must not throw, and must
- * answer alike when asked again. */
-typedef int32_t (*rt_accept_function)(void* user, const rt_hit* candidate);
+/* Asked about a triangle that would count for ray or shape `index` of the query: return 0, and it
+ * does not. For rays `candidate` is the hit; for shapes it names the triangle, with t, u and v 0.
+ * It is called on the thread of the query, in no particular order, possibly more than once for a
+ * triangle and for triangles that are not in the answer. It must not throw, and must answer alike
+ * when asked again. */
+typedef int32_t (*rt_accept_function)(void* user, uint64_t index, const rt_hit* candidate);
 
 /* What a call visited, all its rays or shapes together. Unlike the answers, this depends on the
  * structure, the instruction set and the batch. */
@@ -703,7 +703,7 @@ typedef struct rt_query_options {
     rt_snapshot snapshot;         /* null: the current one */
     const rt_mesh* ignore_meshes; /* ignore_count of them; stale ones ignore nothing */
     uint64_t ignore_count;
-    rt_accept_function accept; /* null: all count */
+    rt_accept_function accept; /* null: all count. The query then uses one thread. */
     void* accept_user;
     rt_query_stats* stats; /* null: not counted, which is faster */
 } rt_query_options;
@@ -732,15 +732,17 @@ enum {
     RT_SURFACE_GEOMETRIC_NORMAL = 1u << 1,
     RT_SURFACE_SHADING_NORMAL = 1u << 2,
     RT_SURFACE_TEXCOORD = 1u << 3,
-    RT_SURFACE_MATERIAL = 1u << 4, /* and its user data */
-    RT_SURFACE_MESH_USER_DATA = 1u << 5,
+    RT_SURFACE_MATERIAL = 1u << 4,
+    RT_SURFACE_USER_DATA = 1u << 5, /* of the material and the mesh */
     RT_SURFACE_ALL = 63u
 };
 
 /* Rays come as `rays` or as `ray_arrays`, hits go to `hits` or to `hit_arrays`: one of each pair,
  * the other null. `hits` and `hit_arrays` are for RT_QUERY_CLOSEST, `occluded` is for
- * RT_QUERY_ANY, `hit_counts` is for RT_QUERY_COUNT, and with `hits` (max_hits records a ray, the
- * unused ones misses) for RT_QUERY_ALL; what the kind does not need is not looked at. */
+ * RT_QUERY_ANY, `hit_counts` is for RT_QUERY_COUNT, and with `hits` (max_hits records a ray, of
+ * which the unused ones are not written) for RT_QUERY_ALL; what the kind does not need is not
+ * looked at.
+ */
 typedef struct rt_query_desc {
     uint32_t struct_size;
     rt_query_kind kind;

@@ -3,14 +3,31 @@
 #include "trace/bih/single.h"
 #include "trace/each.h"
 #include "trace/one_ray.h"
+#include "trace/shapes/lists.h"
 
 namespace peregrine::trace::bih {
+namespace {
+
+struct Leaves {
+    static const uint32_t* references(const Target& target) { return target.bih_references; }
+    template <class Real, class Leaf>
+    static void visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
+        visit_leaves(target, slabs, leaf);
+    }
+};
+
+} // namespace
 
 // One ray at a time on every machine.
 Kernels make_kernels(base::Isa isa) {
     using Rays = OneRay<Single>;
-    return {Rays::closest, Rays::occluded, closest_each<Rays::closest>,
-            occluded_each<Rays::occluded>, isa};
+    return {Rays::closest,
+            Rays::occluded,
+            closest_each<Rays::closest>,
+            occluded_each<Rays::occluded>,
+            Rays::visit,
+            isa,
+            shapes_in_lists<Leaves>()};
 }
 
 } // namespace peregrine::trace::bih

@@ -4,14 +4,31 @@
 #include "trace/kdtree/single.h"
 #include "trace/kdtree/stream_kernels.h"
 #include "trace/one_ray.h"
+#include "trace/shapes/lists.h"
 
 namespace peregrine::trace::kdtree {
+namespace {
+
+struct Leaves {
+    static const uint32_t* references(const Target& target) { return target.references; }
+    template <class Real, class Leaf>
+    static void visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
+        visit_leaves(target, slabs, leaf);
+    }
+};
+
+} // namespace
 
 Kernels make_kernels(base::Isa isa) {
     using Rays = OneRay<Single>;
     const StreamKernels* streams = stream_kernels(isa);
-    return {Rays::closest, Rays::occluded, streams ? streams->closest : closest_each<Rays::closest>,
-            streams ? streams->occluded : occluded_each<Rays::occluded>, isa};
+    return {Rays::closest,
+            Rays::occluded,
+            streams ? streams->closest : closest_each<Rays::closest>,
+            streams ? streams->occluded : occluded_each<Rays::occluded>,
+            Rays::visit,
+            isa,
+            shapes_in_lists<Leaves>()};
 }
 
 } // namespace peregrine::trace::kdtree

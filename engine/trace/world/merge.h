@@ -6,13 +6,14 @@ namespace peregrine::trace {
 
 // What is left of the filter within an instance, whose mesh is seen as a whole or not at all.
 inline bool sees(const Filter& filter, const Instance& instance) {
-    return instance.mesh != filter.ignore_mesh && (instance.layer_mask & filter.layer_mask) != 0;
+    return !filter.ignores(instance.mesh) && (instance.layer_mask & filter.layer_mask) != 0;
 }
 
 inline Filter filter_within(const Filter& filter, const Instance& instance) {
     Filter within = filter;
     within.layer_mask = ~0u;
     within.ignore_mesh = geometry::kNoTriangle;
+    within.ignore_more = {};
     if (filter.alpha.present) within.alpha = instance.alpha;
     return within;
 }

@@ -26,6 +26,8 @@ struct Instance {
     uint32_t mesh; // slot; takes the place of that in the target's infos
     uint32_t layer_mask;
     AlphaTest alpha; // of this mesh, for filters that have one
+    const math::Affine* to_world;
+    bool mirrored; // by to_world
 };
 
 // Everything that a ray can hit.

@@ -1,0 +1,174 @@
+#include "query/shapes.h"
+
+#include "query/chosen.h"
+#include "query/spread.h"
+#include "query/store_hit.h"
+#include "query/valid_shape.h"
+#include "trace/world/shapes.h"
+
+namespace peregrine::query {
+namespace {
+
+using math::Vec3;
+using math::Vec3d;
+
+// What a ball around each point of the axis fills.
+trace::Volume volume_of(const Vec3& center, const Vec3& direction, const Vec3& axis, float radius) {
+    return {Vec3d(center), Vec3d(direction), glm::abs(Vec3d(axis)) + double(radius), Vec3d(0)};
+}
+
+// Columns of the rotation matrix. Lengths are told from 0 by the largest component, so that none
+// vanishes.
+geometry::Cuboid cuboid_of(const Shape& shape) {
+    double q[4], largest = 0;
+    for (const float part : shape.rotation) largest = std::max(largest, double(std::fabs(part)));
+    for (int k = 0; k < 4; ++k) q[k] = double(shape.rotation[k]) / largest;
+    const double length = std::sqrt(((q[0] * q[0] + q[1] * q[1]) + q[2] * q[2]) + q[3] * q[3]);
+    const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
+    return {{{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+             {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+             {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}},
+            Vec3d(shape.extent)};
+}
+
+struct Prepared {
+    trace::OverlapQuery query;
+    trace::Volume volume;
+};
+
+Prepared prepare(const Shape& shape, const trace::Filter& filter) {
+    Prepared out;
+    out.query.filter = filter;
+    out.query.shape.kind = trace::Shape::Kind(shape.kind);
+    out.query.shape.center = Vec3d(shape.center);
+    if (shape.kind == Shape::box) {
+        const geometry::Cuboid box = cuboid_of(shape);
+        out.query.shape.cuboid = box;
+        out.volume.origin = Vec3d(shape.center);
+        out.volume.extent =
+            (glm::abs(box.axis[0]) * box.half.x + glm::abs(box.axis[1]) * box.half.y)
+            + glm::abs(box.axis[2]) * box.half.z;
+        return out;
+    }
+    const Vec3 axis = shape.kind == Shape::capsule ? shape.extent : Vec3(0);
+    if (axis == Vec3(0)) out.query.shape.kind = trace::Shape::sphere;
+    out.query.shape.axis = Vec3d(axis);
+    out.query.shape.rr = double(shape.radius) * double(shape.radius);
+    out.volume = volume_of(shape.center, Vec3(0), axis, shape.radius);
+    return out;
+}
+
+// `record` is as the host placed it, and so is the answer.
+SweepHit sweep_one(const trace::World& world, const HitNames& names, const Sweep& record,
+                   const Sweep& sweep, const trace::Filter& filter, bool skip_separating) {
+    const trace::SweepQuery query{{sweep.center, sweep.axis, sweep.direction, sweep.radius},
+                                  filter,
+                                  sweep.t_max,
+                                  skip_separating};
+    const trace::FirstHit hit = trace::sweep(
+        world, volume_of(sweep.center, sweep.direction, sweep.axis, sweep.radius), query);
+    const HitIds ids = names.of(hit.triangle);
+    if (hit.triangle == geometry::kNoTriangle)
+        return {hit.t, Vec3(0), Vec3(0), 0, ids.triangle, ids.mesh, 0};
+    return {hit.t,
+            Vec3(Vec3d(record.center) + hit.contact.point),
+            Vec3(hit.contact.normal),
+            hit.depth,
+            ids.triangle,
+            ids.mesh,
+            hit.initial};
+}
+
+// All that the shape touches, a bufferful at a time.
+uint32_t collect(const trace::World& world, const HitNames& names, const Prepared& shape,
+                 const OverlapLists& lists, uint64_t index) {
+    trace::Touched touched;
+    uint32_t count = 0;
+    uint64_t first = 0;
+    do {
+        touched.restart(first);
+        trace::collect(world, shape.volume, shape.query, touched);
+        touched.finish();
+        for (const uint64_t key : touched) {
+            first = key + 1;
+            if (count++ >= lists.most) continue;
+            const OverlapHit hit{names.mesh(uint32_t(key >> 32)), uint32_t(key), 0};
+            const uint64_t place = index * lists.most + (count - 1);
+            std::memcpy(lists.hits + place * lists.stride, &hit, sizeof hit);
+        }
+    } while (touched.is_full());
+    return count;
+}
+
+NearestPoint nearest_one(const trace::World& world, const HitNames& names, const Point& record,
+                         const Point& point, const trace::Filter& filter) {
+    const trace::NearestQuery query{Vec3d(point.position), filter, point.radius};
+    const trace::NearestHit hit =
+        trace::nearest(world, volume_of(point.position, Vec3(0), Vec3(0), point.radius), query);
+    const HitIds ids = names.of(hit.triangle);
+    if (hit.triangle == geometry::kNoTriangle)
+        return {hit.distance, Vec3(0), Vec3(0), 0, 0, ids.triangle, ids.mesh};
+    return {hit.distance,
+            Vec3(Vec3d(record.position) + hit.at),
+            Vec3(hit.normal),
+            hit.u,
+            hit.v,
+            ids.triangle,
+            ids.mesh};
+}
+
+// Calls work(i, record i) for all of them.
+template <class Record, class Work>
+void for_each(const Placed<Record>& records, const Request& request, Work&& work) {
+    spread(request.selection.accept ? nullptr : request.scheduler, records.count,
+           [&](uint64_t first, uint64_t end) {
+               for (uint64_t i = first; i < end; ++i) work(i, records.load(i));
+           });
+}
+
+} // namespace
+
+void sweep(const scene::Snapshot& snapshot, const Placed<Sweep>& sweeps, const Request& request,
+           const Strided<SweepHit>& hits) {
+    check_each(sweeps);
+    const Chosen chosen(snapshot, request.selection);
+    const HitNames names(snapshot);
+    for_each(sweeps, request, [&](uint64_t i, const Sweep& sweep) {
+        hits.store(i, sweep_one(snapshot.world, names, sweep, sweeps.moved(sweep), chosen.filter(),
+                                request.selection.skip_separating));
+    });
+}
+
+void overlap_any(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
+                 const Request& request, const Strided<uint8_t>& overlaps) {
+    check_each(shapes);
+    const Chosen chosen(snapshot, request.selection);
+    for_each(shapes, request, [&](uint64_t i, const Shape& shape) {
+        const Prepared prepared = prepare(shapes.moved(shape), chosen.filter());
+        overlaps.store(i, trace::overlaps(snapshot.world, prepared.volume, prepared.query));
+    });
+}
+
+void overlap_all(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
+                 const Request& request, const OverlapLists& lists) {
+    check_each(shapes);
+    const Chosen chosen(snapshot, request.selection);
+    const HitNames names(snapshot);
+    for_each(shapes, request, [&](uint64_t i, const Shape& shape) {
+        const Prepared prepared = prepare(shapes.moved(shape), chosen.filter());
+        lists.counts.store(i, collect(snapshot.world, names, prepared, lists, i));
+    });
+}
+
+void nearest(const scene::Snapshot& snapshot, const Placed<Point>& points, const Request& request,
+             const Strided<NearestPoint>& nearest) {
+    check_each(points);
+    const Chosen chosen(snapshot, request.selection);
+    const HitNames names(snapshot);
+    for_each(points, request, [&](uint64_t i, const Point& point) {
+        nearest.store(
+            i, nearest_one(snapshot.world, names, point, points.moved(point), chosen.filter()));
+    });
+}
+
+} // namespace peregrine::query

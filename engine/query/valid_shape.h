@@ -1,0 +1,20 @@
+#pragma once
+
+#include "query/shapes.h"
+
+namespace peregrine::query {
+
+// Throw base::Error invalid_argument that names record `index` and its field, as shapes.h says.
+void check(uint64_t index, const Sweep& sweep);
+void check(uint64_t index, const Shape& shape);
+void check(uint64_t index, const Point& point);
+
+template <class Record>
+void check_each(const Placed<Record>& records) {
+    for (uint64_t i = 0; i < records.count; ++i) {
+        check(i, records.load(i));
+        check(i, records.moved(records.load(i)));
+    }
+}
+
+} // namespace peregrine::query

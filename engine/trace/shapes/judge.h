@@ -1,0 +1,73 @@
+#pragma once
+
+#include "trace/shapes/shapes.h"
+
+// What the canonical tests say of one triangle, and what a query makes of it.
+namespace peregrine::trace {
+
+struct Vertices {
+    math::Vec3 v0, v1, v2;
+
+    geometry::Corners around(const Place& place, const math::Vec3d& center) const {
+        return {place.point(v0), place.point(v1), place.point(v2), center};
+    }
+};
+
+inline uint64_t key_of(const Place& place, const geometry::TriangleInfo& triangle) {
+    return Touched::key_of(place.mesh == geometry::kNoTriangle ? triangle.mesh : place.mesh,
+                           triangle.primitive);
+}
+
+// 1 where the centre is in front of the triangle or in its plane, else -1.
+inline double facing(const Place& place, const geometry::Face& face) {
+    const double height = -glm::dot(face.normal, face.corner);
+    const double front = place.mirrored ? -height : height;
+    return front < 0 ? -1 : 1;
+}
+
+inline void judge(const SweepQuery& query, const Place& place, const Vertices& vertices,
+                  const geometry::TriangleInfo* infos, uint32_t index, FirstHit& best) {
+    FirstHit hit;
+    geometry::Contact& contact = hit.contact;
+    if (!geometry::sweep_triangle(query.sweep, vertices.around(place, query.sweep.center), contact))
+        return;
+    hit.t = float(contact.t);
+    hit.initial = contact.initial;
+    hit.depth = float(contact.depth);
+    hit.triangle = index;
+    if (!(hit.t <= query.t_max) || !hit.comes_before(best)) return;
+    if (contact.initial && query.skip_separating
+        && !(glm::dot(query.sweep.motion.direction, contact.normal) < 0))
+        return;
+    if (counts(query.filter, infos[index], place.mirrored ? contact.rate : -contact.rate))
+        best = hit;
+}
+
+inline bool judge(const OverlapQuery& query, const Place& place, const Vertices& vertices,
+                  const geometry::TriangleInfo& info) {
+    const geometry::Corners corners = vertices.around(place, query.shape.center);
+    const geometry::Face face = geometry::face_of(corners);
+    return query.shape.touches(corners, face) && counts(query.filter, info, facing(place, face));
+}
+
+inline void judge(const NearestQuery& query, const Place& place, const Vertices& vertices,
+                  const geometry::TriangleInfo* infos, uint32_t index, NearestHit& best) {
+    const geometry::Corners corners = vertices.around(place, query.point);
+    const geometry::Face face = geometry::face_of(corners);
+    const geometry::NearestOnTriangle nearest(corners, face);
+    NearestHit hit;
+    hit.distance = float(std::sqrt(nearest.square));
+    hit.triangle = index;
+    if (!(hit.distance <= query.radius) || !hit.comes_before(best)
+        || !counts(query.filter, infos[index], facing(place, face)))
+        return;
+    hit.at = nearest.at;
+    hit.u = float(nearest.u);
+    hit.v = float(nearest.v);
+    hit.normal = geometry::unit_or_zero(-nearest.at);
+    if (hit.normal == math::Vec3d(0))
+        hit.normal = geometry::unit_or_zero(place.mirrored ? -face.normal : face.normal);
+    best = hit;
+}
+
+} // namespace peregrine::trace

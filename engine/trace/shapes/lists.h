@@ -1,0 +1,30 @@
+#pragma once
+
+#include "trace/shapes/plain.h"
+
+// The kernels for shapes of structures whose leaves are ranges of references to Target::triangles:
+// `Leaves` has these and visit(target, slabs, leaf), which calls leaf(first, count, t_limit).
+namespace peregrine::trace {
+
+template <class Leaves>
+struct TrianglesOfLists {
+    template <class Real, class Visit>
+    static void visit(const Target& target, const Slabs<Real>& slabs, Visit&& visit) {
+        const uint32_t* const references = Leaves::references(target);
+        Leaves::visit(target, slabs, [&](uint32_t first, uint32_t count, Real& t_limit) {
+            for (uint32_t i = first; i < first + count; ++i) {
+                const geometry::Triangle& triangle = target.triangles[references[i]];
+                if (visit(Vertices{triangle.v0, triangle.v1, triangle.v2}, references[i], t_limit))
+                    return true;
+            }
+            return false;
+        });
+    }
+};
+
+template <class Leaves>
+constexpr ShapeKernels shapes_in_lists() {
+    return plain_shapes<TrianglesOfLists<Leaves>>();
+}
+
+} // namespace peregrine::trace

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "trace/kernels.h"
+#include "trace/shapes/judge.h"
+#include "trace/shapes/volume.h"
+
+// The kernels for shapes in plain C++, given what a structure knows:
+//     template <class Real, class Visit>
+//     static void visit(const Target&, const Slabs<Real>&, Visit&&);
+// calls visit(vertices, index, t_limit), which may lower t_limit, for each triangle of the leaves
+// that the volume may touch, until that returns true. A triangle may come more than once.
+namespace peregrine::trace {
+
+template <class Structure>
+class PlainShapes {
+public:
+    static void sweep(const Target& target, const Place& place, const Volume& volume,
+                      const SweepQuery& query, FirstHit& best) {
+        visit(target, volume, best.initial ? 0 : best.limit(query.t_max),
+              [&](const Vertices& vertices, uint32_t index, auto& t_limit) {
+                  judge(query, place, vertices, target.infos, index, best);
+                  using Real = std::remove_reference_t<decltype(t_limit)>;
+                  t_limit = std::min(t_limit, Real(best.t));
+                  return false;
+              });
+    }
+
+    static bool overlaps(const Target& target, const Place& place, const Volume& volume,
+                         const OverlapQuery& query) {
+        bool found = false;
+        visit(target, volume, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
+            return found = judge(query, place, vertices, target.infos[index]);
+        });
+        return found;
+    }
+
+    static void collect(const Target& target, const Place& place, const Volume& volume,
+                        const OverlapQuery& query, Touched& touched) {
+        visit(target, volume, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
+            const uint64_t key = key_of(place, target.infos[index]);
+            if (touched.wants(key) && judge(query, place, vertices, target.infos[index]))
+                touched.add(key);
+            return false;
+        });
+    }
+
+    // In balls that grow until one holds something.
+    static void nearest(const Target& target, const Place& place, const Volume& volume,
+                        const NearestQuery& query, NearestHit& best) {
+        if (target.bounds.empty()) return;
+        const double end = double(best.limit(query.radius));
+        const double reach = reach_of(target.bounds, volume);
+        for (double radius = first_radius(target.bounds, volume, double(query.radius));;
+             radius *= 4) {
+            const Volume ball = shrunk(volume, std::min(radius, end) / double(query.radius));
+            visit(target, ball, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
+                judge(query, place, vertices, target.infos, index, best);
+                return false;
+            });
+            const bool is_all = std::min({ball.extent.x, ball.extent.y, ball.extent.z}) > reach;
+            if (!(radius < end) || double(best.distance) <= radius || is_all) return;
+        }
+    }
+
+private:
+    template <class Visit>
+    static void visit(const Target& target, const Volume& volume, float t_max, Visit&& visit) {
+        if (target.bounds.empty()) return;
+        const double reach = reach_of(target.bounds, volume);
+        if (fits_float(volume, reach))
+            Structure::visit(target, slabs<float>(volume, reach, t_max), visit);
+        else
+            Structure::visit(target, slabs<double>(volume, reach, t_max), visit);
+    }
+};
+
+template <class Structure>
+constexpr ShapeKernels plain_shapes() {
+    using Shapes = PlainShapes<Structure>;
+    return {Shapes::sweep, Shapes::overlaps, Shapes::collect, Shapes::nearest};
+}
+
+} // namespace peregrine::trace

@@ -1,0 +1,223 @@
+#include "trace/world/shapes.h"
+
+#include "trace/shapes/volume.h"
+#include "trace/world/merge.h"
+
+namespace peregrine::trace {
+namespace {
+
+using accel::instances::Node;
+
+constexpr Place kWhereItIs;
+
+Place place_of(const Instance& instance) {
+    return {instance.to_world, instance.mirrored, instance.mesh};
+}
+
+// The volume in the instance's space.
+//
+// What is there within the volume's own extent is at most |W| times as far away: the sums of
+// magnitudes of its rows, W being the map to local space. To this comes what is rounded: the local
+// origin and direction, if kernels want them in float (2^-23 of the origin, of the path as
+// trace/shapes/volume.h has it), and the maps there and back in double: c 2^-44 (|W| (|o| + |m|) +
+// |w| + R), where m and w are the offsets, R the largest |coordinate| of the mesh and c = |M| |W|.
+Volume to_local(const Instance& instance, const Volume& volume) {
+    const math::Affine& map = instance.to_local;
+    Volume local;
+    local.origin = map.point(volume.origin);
+    local.direction = map.vector(volume.direction);
+    const auto largest = [](const math::Vec3d& v) { return largest_component(v); };
+    const math::Box& bounds = instance.part.target.bounds;
+    const double shrinks = map.norm(), condition = shrinks * instance.to_world->norm();
+    const double mesh =
+        largest(glm::max(glm::abs(math::Vec3d(bounds.lower)), glm::abs(math::Vec3d(bounds.upper))));
+    const double size =
+        shrinks
+            * (largest(volume.origin) + largest(instance.to_world->offset) + largest(volume.extent))
+        + largest(map.offset) + mesh;
+    local.slack = math::Vec3d(0x1p-22 * largest(local.origin) + condition * 0x1p-44 * size);
+    local.extent =
+        ((glm::abs(map.column[0]) * volume.extent.x + glm::abs(map.column[1]) * volume.extent.y)
+         + glm::abs(map.column[2]) * volume.extent.z)
+        + local.slack;
+    return local;
+}
+
+// A volume as the nodes over instances see it.
+class Gate {
+public:
+    Gate(const Volume& volume, double reach) : slabs_(slabs<double>(volume, reach, 0)) {}
+
+    // Where it may enter; beyond `t_max`: nowhere.
+    double enter(const math::Box& box, double t_max) const {
+        double t_near = 0, t_far = t_max;
+        for (int k = 0; k < 3; ++k) {
+            const double a = (double(box.lower[k]) - slabs_.origin[k]) * slabs_.inverse[k];
+            const double b = (double(box.upper[k]) - slabs_.origin[k]) * slabs_.inverse[k];
+            t_near = std::max(t_near, std::min(a, b) - slabs_.margin[k]);
+            t_far = std::min(t_far, std::max(a, b) + slabs_.margin[k]);
+        }
+        return t_near <= t_far ? t_near : std::numeric_limits<double>::infinity();
+    }
+
+private:
+    Slabs<double> slabs_;
+};
+
+// Calls visit(instance, its volume) for those that the filter sees and the volume may meet at a t
+// up to `t_max`, which may shrink meanwhile, roughly from front to back, until visit returns true.
+template <class Visit>
+bool visit_instances(const World& world, const Volume& volume, const Filter& filter,
+                     const float& t_max, Visit&& visit) {
+    if (!world.nodes) return false;
+    const Gate gate(volume, reach_of(world.nodes[0].extent.box, volume));
+    struct Entry {
+        uint32_t node;
+        double t;
+    };
+    Entry stack[accel::instances::kMaxDepth];
+    uint32_t height = 0;
+    const auto at_node = [&](uint32_t node) {
+        return Entry{node, gate.enter(world.nodes[node].extent.box, double(t_max))};
+    };
+    Entry at = at_node(0);
+    for (;;) {
+        while (at.t <= double(t_max) && at.t < std::numeric_limits<double>::infinity()) {
+            const Node& node = world.nodes[at.node];
+            if (node.right == 0) {
+                const Instance& instance = world.instances[node.instance];
+                if (sees(filter, instance) && visit(instance, to_local(instance, volume)))
+                    return true;
+                break;
+            }
+            Entry near = at_node(at.node + 1), far = at_node(node.right);
+            if (far.t < near.t) std::swap(near, far);
+            if (far.t < std::numeric_limits<double>::infinity()) stack[height++] = far;
+            at = near;
+        }
+        if (height == 0) return false;
+        at = stack[--height];
+    }
+}
+
+// The same query for what is seen within an instance.
+template <class Query>
+Query within(const Query& query, const Instance& instance) {
+    Query inside = query;
+    inside.filter = filter_within(query.filter, instance);
+    return inside;
+}
+
+bool is_smaller(const World& world, uint32_t a, uint32_t b) {
+    if (b == geometry::kNoTriangle) return true;
+    const geometry::TriangleInfo x = info(world, a), y = info(world, b);
+    return Touched::key_of(x.mesh, x.primitive) < Touched::key_of(y.mesh, y.primitive);
+}
+
+void take_first(const World& world, FirstHit hit, uint32_t first, FirstHit& best) {
+    if (hit.triangle == geometry::kNoTriangle) return;
+    hit.triangle += first;
+    const int order = hit.compare(best);
+    if (order < 0 || (order == 0 && is_smaller(world, hit.triangle, best.triangle))) best = hit;
+}
+
+void take_first(const World& world, NearestHit hit, uint32_t first, NearestHit& best) {
+    if (hit.triangle == geometry::kNoTriangle) return;
+    hit.triangle += first;
+    if (hit.distance < best.distance
+        || (hit.distance == best.distance && is_smaller(world, hit.triangle, best.triangle)))
+        best = hit;
+}
+
+// What limits the search of the next part: the best so far, without its triangle, so that equals
+// are found too.
+FirstHit limit_of(const FirstHit& best) {
+    FirstHit limit = best;
+    limit.triangle = geometry::kNoTriangle;
+    return limit;
+}
+NearestHit limit_of(const NearestHit& best) {
+    NearestHit limit = best;
+    limit.triangle = geometry::kNoTriangle;
+    return limit;
+}
+
+} // namespace
+
+FirstHit sweep(const World& world, const Volume& volume, const SweepQuery& query) {
+    FirstHit best;
+    world.fixed.kernels->shapes.sweep(world.fixed.target, kWhereItIs, volume, query, best);
+    if (!world.moves) return best;
+    const auto look = [&](const Part& part, const Place& place, const Volume& there,
+                          const SweepQuery& asked) {
+        FirstHit hit = limit_of(best);
+        part.kernels->shapes.sweep(part.target, place, there, asked, hit);
+        take_first(world, hit, part.first, best);
+    };
+    if (!world.deforming.empty()) look(world.deforming, kWhereItIs, volume, query);
+    float t_max = best.limit(query.t_max);
+    visit_instances(world, volume, query.filter, t_max,
+                    [&](const Instance& instance, const Volume& local) {
+                        look(instance.part, place_of(instance), local, within(query, instance));
+                        t_max = best.limit(query.t_max);
+                        return false;
+                    });
+    return best;
+}
+
+bool overlaps(const World& world, const Volume& volume, const OverlapQuery& query) {
+    if (world.fixed.kernels->shapes.overlaps(world.fixed.target, kWhereItIs, volume, query))
+        return true;
+    if (!world.moves) return false;
+    if (const Part& part = world.deforming;
+        !part.empty() && part.kernels->shapes.overlaps(part.target, kWhereItIs, volume, query))
+        return true;
+    const float at_rest = 0;
+    return visit_instances(world, volume, query.filter, at_rest,
+                           [&](const Instance& instance, const Volume& local) {
+                               const Part& part = instance.part;
+                               return part.kernels->shapes.overlaps(part.target, place_of(instance),
+                                                                    local, within(query, instance));
+                           });
+}
+
+void collect(const World& world, const Volume& volume, const OverlapQuery& query,
+             Touched& touched) {
+    world.fixed.kernels->shapes.collect(world.fixed.target, kWhereItIs, volume, query, touched);
+    if (!world.moves) return;
+    if (const Part& part = world.deforming; !part.empty())
+        part.kernels->shapes.collect(part.target, kWhereItIs, volume, query, touched);
+    const float at_rest = 0;
+    visit_instances(world, volume, query.filter, at_rest,
+                    [&](const Instance& instance, const Volume& local) {
+                        const Part& part = instance.part;
+                        part.kernels->shapes.collect(part.target, place_of(instance), local,
+                                                     within(query, instance), touched);
+                        return false;
+                    });
+}
+
+NearestHit nearest(const World& world, const Volume& volume, const NearestQuery& query) {
+    NearestHit best;
+    world.fixed.kernels->shapes.nearest(world.fixed.target, kWhereItIs, volume, query, best);
+    if (!world.moves) return best;
+    const auto look = [&](const Part& part, const Place& place, const Volume& there,
+                          const NearestQuery& asked) {
+        NearestHit hit = limit_of(best);
+        part.kernels->shapes.nearest(part.target, place, there, asked, hit);
+        take_first(world, hit, part.first, best);
+    };
+    if (!world.deforming.empty()) look(world.deforming, kWhereItIs, volume, query);
+    const float at_rest = 0;
+    Volume ball = volume;
+    ball.extent *= double(best.limit(query.radius)) / std::max(double(query.radius), 1e-300);
+    visit_instances(world, ball, query.filter, at_rest,
+                    [&](const Instance& instance, const Volume&) {
+                        look(instance.part, place_of(instance), to_local(instance, volume),
+                             within(query, instance));
+                        return false;
+                    });
+    return best;
+}
+
+} // namespace peregrine::trace

@@ -1,0 +1,266 @@
+#include "shape_world.h"
+
+#include <cmath>
+#include <limits>
+
+namespace peregrine::test {
+
+using math::Vec3;
+using math::Vec3d;
+
+ShapeWorld::ShapeWorld(base::Isa isa, trace::Structure structure)
+    : scene_(std::make_unique<scene::Scene>(scene::SceneOptions{{}, {}, 1, isa})),
+      structure_(structure) {}
+
+void ShapeWorld::add(std::vector<geometry::Triangle> triangles, scene::MeshKind kind,
+                     uint32_t layer_mask, const math::Affine& to_world) {
+    const auto surface = std::make_shared<scene::MeshSurface>(&scene_->memory);
+    const auto data = std::make_shared<scene::MeshData>(surface, &scene_->memory);
+    for (geometry::Triangle& triangle : triangles) {
+        const auto first = uint32_t(data->positions.size());
+        triangle.primitive = uint32_t(surface->triangles.size());
+        surface->triangles.push_back({first, first + 1, first + 2});
+        for (const Vec3& v : {triangle.v0, triangle.v1, triangle.v2}) data->positions.push_back(v);
+    }
+    scene::MeshDescription mesh{data, layer_mask, kind};
+    if (kind == scene::MeshKind::rigid) {
+        mesh.shape = std::make_shared<scene::Shape>();
+        mesh.placement = {to_world, math::inverse(to_world)};
+        mesh.placement.condition = to_world.norm() * mesh.placement.to_local.norm();
+        mesh.placement.mirrored = math::determinant(to_world) < 0;
+    }
+    scene_->touch_triangles(kind);
+    meshes_.push_back(
+        {scene_->meshes.insert(mesh), std::move(triangles), kind, layer_mask, to_world});
+}
+
+void ShapeWorld::commit() {
+    pin_.reset();
+    scene::CommitOptions options;
+    options.build.structure = structure_;
+    scene_->commit(options);
+    pin_ = std::make_unique<scene::SnapshotStore::Pin>(scene_->snapshots);
+}
+
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// Calls visit(mesh, triangle, corners, side) for all that the selection sees; `side` is -1 where
+// the mesh is mirrored.
+template <class Visit>
+void for_each_triangle(const std::vector<ShapeMesh>& meshes, const query::Selection& selection,
+                       const Vec3& center, Visit&& visit) {
+    for (const ShapeMesh& mesh : meshes) {
+        if ((mesh.layer_mask & selection.layer_mask) == 0 || mesh.handle == selection.ignore_mesh)
+            continue;
+        for (const geometry::Triangle& t : mesh.triangles) {
+            const auto at = [&](const Vec3& v) {
+                return mesh.kind == scene::MeshKind::rigid ? mesh.to_world.point(Vec3d(v))
+                                                           : Vec3d(v);
+            };
+            visit(mesh, t, geometry::Corners(at(t.v0), at(t.v1), at(t.v2), Vec3d(center)),
+                  mesh.mirrored() ? -1.0 : 1.0);
+        }
+    }
+}
+
+bool sees(const query::Selection& selection, double front) {
+    return selection.faces == trace::Faces::both
+           || (selection.faces == trace::Faces::front ? front > 0 : front < 0);
+}
+
+bool sees_centre(const query::Selection& selection, const geometry::Corners& corners, double side) {
+    const geometry::Face face = geometry::face_of(corners);
+    const double front = -side * glm::dot(face.normal, corners.a);
+    return sees(selection, front < 0 ? -1 : 1);
+}
+
+} // namespace
+
+query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::Sweep& sweep,
+                            const query::Selection& selection) {
+    query::SweepHit best{kInfinity, Vec3(0), Vec3(0), 0, geometry::kNoTriangle, {}, 0};
+    const geometry::Sweep test(sweep.center, sweep.axis, sweep.direction, sweep.radius);
+    for_each_triangle(
+        meshes, selection, sweep.center,
+        [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
+            const geometry::Corners& corners, double side) {
+            geometry::Contact contact;
+            if (!geometry::sweep_triangle(test, corners, contact)
+                || !sees(selection, -side * contact.rate) || !(float(contact.t) <= sweep.t_max))
+                return;
+            if (selection.skip_separating && contact.initial
+                && glm::dot(Vec3d(sweep.direction), contact.normal) >= 0)
+                return;
+            const auto t = float(contact.t), depth = float(contact.depth);
+            const bool is_better =
+                contact.initial != (best.initial_contact != 0) ? contact.initial
+                : contact.initial                              ? depth > best.depth
+                                                               : t < best.t;
+            if (!is_better) return;
+            best = {t,
+                    Vec3(Vec3d(sweep.center) + contact.point),
+                    Vec3(contact.normal),
+                    depth,
+                    triangle.primitive,
+                    mesh.handle,
+                    contact.initial};
+        });
+    return best;
+}
+
+std::vector<query::OverlapHit> brute_overlap(const std::vector<ShapeMesh>& meshes,
+                                             const query::Shape& shape,
+                                             const query::Selection& selection) {
+    const bool is_capsule = shape.kind == query::Shape::capsule && shape.extent != Vec3(0);
+    const double rr = double(shape.radius) * double(shape.radius);
+    const geometry::Cuboid box = query::cuboid_of(shape);
+    std::vector<query::OverlapHit> hits;
+    for_each_triangle(meshes, selection, shape.center,
+                      [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
+                          const geometry::Corners& corners, double side) {
+                          const geometry::Face face = geometry::face_of(corners);
+                          const bool touches =
+                              shape.kind == query::Shape::box ? geometry::touches(box, corners)
+                              : is_capsule
+                                  ? geometry::nearest_to_segment(corners, face, Vec3d(shape.extent))
+                                            .square
+                                        <= rr
+                                  : geometry::nearest_to_origin(corners, face).square <= rr;
+                          if (touches && sees_centre(selection, corners, side))
+                              hits.push_back({mesh.handle, triangle.primitive, 0});
+                      });
+    return hits;
+}
+
+query::NearestPoint brute_nearest(const std::vector<ShapeMesh>& meshes, const query::Point& point,
+                                  const query::Selection& selection) {
+    query::NearestPoint best{kInfinity, Vec3(0), Vec3(0), 0, 0, geometry::kNoTriangle, {}};
+    for_each_triangle(
+        meshes, selection, point.position,
+        [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
+            const geometry::Corners& corners, double side) {
+            const geometry::Face face = geometry::face_of(corners);
+            const geometry::NearestOnTriangle nearest(corners, face);
+            const auto distance = float(std::sqrt(nearest.square));
+            if (!(distance <= point.radius) || !(distance < best.distance)
+                || !sees_centre(selection, corners, side))
+                return;
+            const Vec3d away = nearest.at == Vec3d(0) ? side * face.normal : -nearest.at;
+            best = {distance,
+                    Vec3(Vec3d(point.position) + nearest.at),
+                    Vec3(geometry::unit_or_zero(away)),
+                    float(nearest.u),
+                    float(nearest.v),
+                    triangle.primitive,
+                    mesh.handle};
+        });
+    return best;
+}
+
+ShapeCases::ShapeCases(std::vector<geometry::Triangle> triangles, uint32_t seed)
+    : triangles_(std::move(triangles)), random_(seed) {
+    for (const geometry::Triangle& t : triangles_) bounds_.extend(geometry::bounds(t));
+    diagonal_ = glm::length(bounds_.upper - bounds_.lower);
+    if (!(diagonal_ < 1e19f)) diagonal_ = (bounds_.upper - bounds_.lower).x;
+}
+
+Vec3 ShapeCases::inside() {
+    Vec3 p;
+    for (int k = 0; k < 3; ++k)
+        p[k] = bounds_.lower[k] + (bounds_.upper[k] - bounds_.lower[k]) * std::fabs(unit());
+    return p;
+}
+
+// Anywhere, at a vertex, on or beside a triangle, on the outside.
+Vec3 ShapeCases::place() {
+    const geometry::Triangle& t = triangles_[pick(triangles_.size())];
+    switch (pick(8)) {
+    case 0:
+        return t.v0;
+    case 1:
+    case 2: {
+        const float u = std::fabs(unit()), v = (1 - u) * std::fabs(unit());
+        return t.v0 + u * (t.v1 - t.v0) + v * (t.v2 - t.v0)
+               + (diagonal_ * 0.01f * unit()) * Vec3(unit(), unit(), unit());
+    }
+    case 3:
+        return inside() + diagonal_ * Vec3(unit(), unit(), unit());
+    default:
+        return inside();
+    }
+}
+
+float ShapeCases::radius() {
+    switch (pick(6)) {
+    case 0:
+        return 0;
+    case 1:
+        return diagonal_ * 1e-5f * std::fabs(unit());
+    case 2:
+        return diagonal_ * 0.2f * std::fabs(unit());
+    default:
+        return diagonal_ * 0.005f * std::fabs(unit());
+    }
+}
+
+// In lengths of the diagonal; sometimes parallel to axes, to edges, or aimed at a vertex.
+Vec3 ShapeCases::direction() {
+    const geometry::Triangle& t = triangles_[pick(triangles_.size())];
+    Vec3 d(unit(), unit(), unit());
+    switch (pick(8)) {
+    case 0:
+        d = Vec3(0);
+        d[int(pick(3))] = pick(2) ? 1.0f : -1.0f;
+        break;
+    case 1:
+        d[int(pick(3))] = 0;
+        break;
+    case 2:
+        d = (t.v1 - t.v0) / diagonal_;
+        break;
+    default:
+        break;
+    }
+    return d == Vec3(0) ? Vec3(0, -1, 0) : d;
+}
+
+query::Sweep ShapeCases::sweep() {
+    query::Sweep sweep{place(), radius(), Vec3(0), 0.2f, diagonal_ * direction(), 0};
+    if (pick(2)) sweep.axis = diagonal_ * (0.03f * std::fabs(unit())) * direction();
+    switch (pick(8)) {
+    case 0:
+        sweep.t_max = kInfinity;
+        break;
+    case 1:
+        sweep.t_max = 0;
+        break;
+    case 2:
+        sweep.direction *= 1e6f;
+        break;
+    case 3:
+        sweep.direction *= 1e-3f;
+        sweep.t_max = 1e3f;
+        break;
+    default:
+        break;
+    }
+    return sweep;
+}
+
+query::Shape ShapeCases::shape() {
+    query::Shape shape{place(), radius(), Vec3(0), uint32_t(pick(3)), {0, 0, 0, 1}};
+    shape.extent = diagonal_ * 0.03f * std::fabs(unit()) * direction();
+    if (shape.kind != query::Shape::box) return shape;
+    shape.extent = glm::abs(shape.extent);
+    if (pick(3))
+        for (float& part : shape.rotation) part = unit();
+    return shape;
+}
+
+query::Point ShapeCases::point() {
+    return {place(), pick(4) == 0 ? 4 * diagonal_ : radius()};
+}
+
+} // namespace peregrine::test

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "query/shapes.h"
+#include "scene/scene.h"
+#include "support/world.h"
+
+#include <memory>
+#include <random>
+#include <vector>
+
+// Worlds that shapes are asked in, and what brute force says: every triangle of every mesh through
+// the canonical tests.
+namespace peregrine::test {
+
+struct ShapeMesh {
+    base::Handle handle;
+    std::vector<geometry::Triangle> triangles; // in its own space, for rigid ones
+    scene::MeshKind kind = scene::MeshKind::fixed;
+    uint32_t layer_mask = ~0u;
+    math::Affine to_world;
+
+    bool mirrored() const { return math::determinant(to_world) < 0; }
+};
+
+class ShapeWorld {
+public:
+    ShapeWorld(base::Isa isa, trace::Structure structure);
+
+    void add(std::vector<geometry::Triangle> triangles, scene::MeshKind kind,
+             uint32_t layer_mask = ~0u, const math::Affine& to_world = {});
+    void commit();
+
+    const scene::Snapshot& snapshot() const { return *pin_->get(); }
+    const std::vector<ShapeMesh>& meshes() const { return meshes_; }
+
+private:
+    std::unique_ptr<scene::Scene> scene_;
+    std::unique_ptr<scene::SnapshotStore::Pin> pin_;
+    trace::Structure structure_;
+    std::vector<ShapeMesh> meshes_;
+};
+
+struct Touching {
+    std::vector<query::OverlapHit> hits;
+};
+
+// Through every triangle that counts, in order.
+query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::Sweep& sweep,
+                            const query::Selection& selection);
+std::vector<query::OverlapHit> brute_overlap(const std::vector<ShapeMesh>& meshes,
+                                             const query::Shape& shape,
+                                             const query::Selection& selection);
+query::NearestPoint brute_nearest(const std::vector<ShapeMesh>& meshes, const query::Point& point,
+                                  const query::Selection& selection);
+
+// Shapes as games and adversaries ask for them, the same for the same seed.
+class ShapeCases {
+public:
+    ShapeCases(std::vector<geometry::Triangle> triangles, uint32_t seed);
+
+    query::Sweep sweep();
+    query::Shape shape();
+    query::Point point();
+
+private:
+    math::Vec3 direction();
+    math::Vec3 inside();
+    math::Vec3 place();
+    float radius();
+    float unit() { return std::uniform_real_distribution<float>(-1, 1)(random_); }
+    size_t pick(size_t count) { return random_() % count; }
+
+    std::vector<geometry::Triangle> triangles_;
+    math::Box bounds_;
+    float diagonal_;
+    std::mt19937 random_;
+};
+
+} // namespace peregrine::test
