@@ -1,7 +1,6 @@
 #include "gameplay/grenade.h"
 
 #include "gameplay/push_out.h"
-#include "gameplay/rolling.h"
 
 #include <glm/geometric.hpp>
 
@@ -17,13 +16,15 @@ constexpr double kParting = 1e-4; // m/s, off a surface that it is not pressed o
 constexpr double kRattle = 1e-3;  // s between bounces
 constexpr uint32_t kMostRattles = 32;
 constexpr double kDozeWithin = 1e-3, kDozeAfter = 0.5; // m, s
+constexpr double kMoveWithin = 4;                       // s
 
 FlightRules flight_rules(const GrenadeRules& rules) {
     return {rules.radius, rules.gravity, rules.drag, rules.mask};
 }
 
-RollingRules rolling_rules(const GrenadeRules& rules) {
-    return {rules.radius, rules.gravity, rules.rolling_friction, rules.inertia(), rules.mask};
+RollingRules rolling_rules(const GrenadeRules& rules, bool tipping) {
+    return {rules.radius, rules.gravity, tipping ? 0 : rules.rolling_friction, rules.inertia(),
+            rules.mask};
 }
 
 Rolling rolling(const GrenadeState& state) {
@@ -60,7 +61,8 @@ Flight Grenade::now() const {
     flight.time = time_;
     if (state_.motion == Motion::resting) return flight;
     const double s = time_ - state_.flight.time;
-    if (const auto stretch = next_stretch(rolling_rules(rules_), rolling(state_), state_.stretch)) {
+    if (const auto stretch =
+            next_stretch(rolling_rules(rules_, state_.tipping), rolling(state_), state_.stretch)) {
         flight.position += s * stretch->mean_velocity;
         flight.velocity += s * stretch->acceleration;
     }
@@ -130,7 +132,7 @@ void Grenade::meet(const Contact& contact) {
         return;
     }
     state_.contacts.add(normal);
-    if (!is_pressed(rolling_rules(rules_), state_.contacts)) {
+    if (!is_pressed(rolling_rules(rules_, false), state_.contacts)) {
         fly_off();
         return;
     }
@@ -174,39 +176,61 @@ void Grenade::note_place() {
     state_.anchor_time = state_.flight.time;
 }
 
+// What it does until the next event: nothing, once it rests.
+std::optional<Stretch> Grenade::plan(const World& world) {
+    const Rolling ball = rolling(state_);
+    const RollingRules rules = rolling_rules(rules_, false);
+    auto stretch = next_stretch(rules, ball, state_.stretch);
+    const bool stops = !stretch || stretch->duration < state_.stretch;
+    state_.tipping = stops && is_tipping(world, rules, ball);
+    if (state_.tipping) stretch = next_stretch(rolling_rules(rules_, true), ball, state_.stretch);
+    const double patience = stops && !state_.tipping ? kDozeAfter : kMoveWithin;
+    if (state_.flight.time - state_.anchor_time > patience) return std::nullopt;
+    return stretch;
+}
+
 bool Grenade::roll_on(const World& world) {
-    const RollingRules rules = rolling_rules(rules_);
-    Flight& flight = state_.flight;
-    if (!is_pressed(rules, state_.contacts)) {
+    if (!is_pressed(rolling_rules(rules_, false), state_.contacts)) {
         fly_off();
         return true;
     }
-    const auto stretch = next_stretch(rules, rolling(state_), state_.stretch);
-    if (!stretch || flight.time - state_.anchor_time > kDozeAfter) {
-        flight.velocity = state_.spin = Vec3(0);
+    const auto stretch = plan(world);
+    if (!stretch) {
+        state_.flight.velocity = state_.spin = Vec3(0);
         state_.motion = Motion::resting;
         return true;
     }
     const auto contact =
-        world.sweep({flight.position, rules.radius}, stretch->motion(), rules.mask);
-    if (contact) {
-        const double s = contact->t * stretch->duration;
-        if (flight.time + s > time_) return false;
-        flight.position += s * stretch->mean_velocity;
-        flight.velocity += s * stretch->acceleration;
-        lift((contact->depth + kSkin) * glm::normalize(contact->normal));
-        flight.time += s;
-        meet(*contact);
-        return true;
-    }
-    const Rolling end = follow(world, rules, rolling(state_), *stretch);
+        world.sweep({state_.flight.position, rules_.radius}, stretch->motion(), rules_.mask);
+    return contact ? roll_into(*stretch, *contact) : roll_along(world, *stretch);
+}
+
+// Part of a stretch, up to something in the way.
+bool Grenade::roll_into(const Stretch& stretch, const Contact& contact) {
+    Flight& flight = state_.flight;
+    const double s = contact.t * stretch.duration;
+    if (flight.time + s > time_) return false;
+    flight.position += s * stretch.mean_velocity;
+    flight.velocity += s * stretch.acceleration;
+    flight.time += s;
+    turn();
+    lift((contact.depth + kSkin) * glm::normalize(contact.normal));
+    meet(contact);
+    return true;
+}
+
+// A whole stretch. Where it leads off the ground, the place is found by shorter ones.
+bool Grenade::roll_along(const World& world, const Stretch& stretch) {
+    const RollingRules rules = rolling_rules(rules_, state_.tipping);
+    const Rolling end = follow(world, rules, rolling(state_), stretch);
     const bool lost = end.contacts.count() == 0;
     if (lost && state_.stretch > kShortestStretch) {
         state_.stretch = std::max(kShortestStretch, state_.stretch / 4);
         return true;
     }
-    if (flight.time + stretch->duration > time_) return false;
-    flight = {flight.time + stretch->duration, end.position, end.velocity, kFirstWindow};
+    const double time = state_.flight.time + stretch.duration;
+    if (time > time_) return false;
+    state_.flight = {time, end.position, end.velocity, kFirstWindow};
     state_.contacts = end.contacts;
     state_.stretch = std::min(kLongestStretch, 2 * state_.stretch);
     if (lost) {

@@ -3,6 +3,7 @@
 #include "gameplay/bounce.h"
 #include "gameplay/contacts.h"
 #include "gameplay/flight.h"
+#include "gameplay/rolling.h"
 
 #include <vector>
 
@@ -35,6 +36,7 @@ struct GrenadeState {
     Vec3 anchor{0};             // where it was at `anchor_time`; near there since
     double anchor_time = 0;
     double last_bounce = -1; // s
+    uint32_t tipping = 0;    // 1: over an edge, where friction does not hold it
     uint32_t rattles = 0;    // bounces one right after the other
 };
 
@@ -70,6 +72,9 @@ private:
     void keep_clear(const World& world);
     bool fly_on(const World& world);
     bool roll_on(const World& world);
+    bool roll_into(const Stretch& stretch, const Contact& contact);
+    bool roll_along(const World& world, const Stretch& stretch);
+    std::optional<Stretch> plan(const World& world);
     bool rests_on(const World& world) const;
     void meet(const Contact& contact);
     void lift(const Vec3& way);

@@ -62,6 +62,20 @@ std::optional<Stretch> next_stretch(const RollingRules& rules, const Rolling& ba
     return Stretch{ball.velocity + 0.5 * duration * acceleration, acceleration, duration};
 }
 
+// A little further down the normal has turned with the ball, as it does on no face.
+bool is_tipping(const World& world, const RollingRules& rules, const Rolling& ball) {
+    if (ball.contacts.count() != 1) return false;
+    const Vec3& normal = ball.contacts.normals()[0];
+    const Vec3 pull = constrain(rules.gravity, ball.contacts.normals());
+    const double strength = glm::length(pull);
+    if (strength == 0) return false;
+    const Vec3 down = pull / strength;
+    const double further = rules.radius / 8;
+    const auto below =
+        world.nearest(ball.position + further * down, rules.radius + further, rules.mask);
+    return below && glm::dot(below->normal - normal, down) > 0.5 * further / rules.radius;
+}
+
 Rolling follow(const World& world, const RollingRules& rules, const Rolling& ball,
                const Stretch& stretch) {
     const double s = stretch.duration;

@@ -39,6 +39,10 @@ bool is_pressed(const RollingRules& rules, const Contacts& contacts);
 std::optional<Stretch> next_stretch(const RollingRules& rules, const Rolling& ball,
                                     double duration);
 
+// On an edge or a tip that it would roll off further and further, were it not for friction: nothing
+// that a ball can rest on.
+bool is_tipping(const World& world, const RollingRules& rules, const Rolling& ball);
+
 // After the whole of a stretch with nothing in its way: on the surfaces that are still near enough
 // for gravity to have kept it there. No contacts: it left the ground.
 Rolling follow(const World& world, const RollingRules& rules, const Rolling& ball,

@@ -84,12 +84,13 @@ int run(int argc, char** argv) {
     CLI::App* frame = app.add_subcommand("frame", "frames through the header");
     CLI::App* door = app.add_subcommand("door", "what a query costs beyond the bare traversal");
     CLI::App* trace = app.add_subcommand("trace", "rays of all kinds through the header");
+    CLI::App* grenade = app.add_subcommand("grenade", "how far a game's time step changes a throw");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
     kernels->add_option("--passes", options.passes, "Passes; medians are printed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
     kernels->add_option("--json", options.json, "Write the rows to this file as well");
-    for (CLI::App* command : {build, frame, door, trace}) add_options(*command, options);
+    for (CLI::App* command : {build, frame, door, trace, grenade}) add_options(*command, options);
     add_trace_options(*trace, options);
     add_structure_options(*build, options);
     build->add_option("--peer", options.peers, "Peers: embree")->delimiter(',');
@@ -101,7 +102,7 @@ int run(int argc, char** argv) {
                      "SAH cost of a split that cuts off empty space: times 1 - this")
         ->check(CLI::Range(0.0, 1.0));
     frame->add_option("--size", options.size, "Width and height")->capture_default_str();
-    for (CLI::App* command : {frame, door, trace})
+    for (CLI::App* command : {frame, door, trace, grenade})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
@@ -110,6 +111,7 @@ int run(int argc, char** argv) {
     const std::string rows = *build     ? peregrine::bench::run_build(options)
                              : *frame   ? peregrine::bench::run_frame(options)
                              : *trace   ? peregrine::bench::run_trace(options)
+                             : *grenade ? peregrine::bench::run_grenade(options)
                              : *kernels ? peregrine::bench::run_kernels(options)
                                         : peregrine::bench::run_door(options);
     if (!options.json.empty()) write_json(options, rows);
