@@ -77,7 +77,8 @@ void UhidPad::serve() {
         }
         if (event.type == UHID_OUTPUT) {
             const std::lock_guard lock(mutex_);
-            outputs_.emplace_back(event.u.output.data, event.u.output.data + event.u.output.size);
+            const uint8_t* data = &event.u.output.data[0];
+            outputs_.emplace_back(data, data + event.u.output.size);
         }
     }
 }
