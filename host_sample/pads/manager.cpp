@@ -88,7 +88,7 @@ void PadManager::consider(const std::string& name, Time now, std::vector<PadEven
     auto driver =
         make_driver(node.identity, node.descriptor, own == mappings_.end() ? "" : own->second);
     if (!driver) {
-        candidate.no_pad = true;
+        candidate.no_pad = !node.descriptor.empty(); // an empty one is not there yet
         return;
     }
     if (is_second_way(node)) return;

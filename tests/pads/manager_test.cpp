@@ -107,6 +107,13 @@ TEST_F(PadManagerTest, LeavesOtherDevicesAlone) {
     EXPECT_EQ(mouse->opened, 0);
 }
 
+TEST_F(PadManagerTest, WaitsForADescriptorThatIsNotThereYet) {
+    const auto device = hid.plug_in("hidraw0", plain);
+    EXPECT_TRUE(poll().empty());
+    device->node.descriptor = plain_descriptor();
+    EXPECT_EQ(poll().size(), 1u);
+}
+
 TEST_F(PadManagerTest, LooksForPadsTwiceASecondOnly) {
     for (int i = 0; i < 100; ++i) poll(10ms);
     EXPECT_LE(hid.scans, 3);
