@@ -9,6 +9,9 @@
 #include "gltf/import.h"
 #include "headless.h"
 #include "options.h"
+#include "pads/linux_hid.h"
+#include "pads/listing.h"
+#include "pads/player_mappings.h"
 #include "paths.h"
 #include "plugin.h"
 #include "session.h"
@@ -78,7 +81,19 @@ void show(Session& session) {
     run_flight(session, "out/frame_%04d.png");
 }
 
+int list_pads(const Options& options) {
+    pads::PlayerMappings mappings;
+    if (!options.pad_map.empty()) {
+        const std::string mistake = pads::read_player_mappings(options.pad_map, mappings);
+        if (!mistake.empty()) throw InputError(mistake);
+    }
+    pads::LinuxHid hid;
+    std::cout << pads::list_pads(hid, mappings);
+    return 0;
+}
+
 int run(const Options& options) {
+    if (options.list_pads) return list_pads(options);
     const Level level = load_level(options);
     auto cameras = usable_cameras(level);
     const size_t camera = find_camera(cameras, options.camera);

@@ -124,6 +124,10 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
         ->check(CLI::Range(0.0, 1e6));
     app.add_flag("--no-shadows", options.no_shadows, "lights shine through everything");
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
+    app.add_flag("--list-pads", options.list_pads,
+                 "print the gamepads and how they are read, and quit");
+    app.add_option("--pad-map", options.pad_map,
+                   "a file that maps buttons and axes of gamepads (docs/gamepads.md) [none]");
     app.add_option("--library", options.library,
                    "the engine [$PEREGRINE_LIBRARY, else libperegrine.so beside this program]");
     app.add_flag("--quiet", options.quiet, "say nothing but errors");

@@ -29,6 +29,8 @@ struct Options {
     float scale = 1.0f;
     bool no_shadows = false;
     bool list_cameras = false;
+    bool list_pads = false;
+    std::string pad_map; // a file; see pads/player_mappings.h
     std::string library; // empty: see plugin.h
     bool quiet = false;
 };

@@ -91,6 +91,14 @@ TEST_F(OptionsTest, HelpAndVersionAreNoMistakes) {
     EXPECT_EQ(parse({"--version"}).exit_status, 0);
 }
 
+TEST_F(OptionsTest, ListsPads) {
+    EXPECT_FALSE(parse({}).options->list_pads);
+    const auto parsed = parse({"--list-pads", "--pad-map", "my.pads"});
+    ASSERT_TRUE(parsed.options) << parsed.text;
+    EXPECT_TRUE(parsed.options->list_pads);
+    EXPECT_EQ(parsed.options->pad_map, "my.pads");
+}
+
 TEST_F(OptionsTest, TheOptionWinsOverTheEnvironment) {
     setenv("PEREGRINE_ISA", "sse4", 1);
     EXPECT_EQ(parse({}).options->isa, RT_ISA_SSE4);
