@@ -3,6 +3,7 @@
 #include "gltf/import.h"
 #include "support/arena.h"
 #include "support/floor_graph.h"
+#include "support/wanderer.h"
 #include "support/world.h"
 
 #include <glm/geometric.hpp>
@@ -67,6 +68,21 @@ public:
         return log_;
     }
 
+    // At random, with jumps, from spawn to spawn; who falls out of the level begins at the next.
+    void wander(int steps_each) {
+        for (size_t i = 0; i < spawns_.size(); ++i) {
+            Character character(arena_.world(), kRules);
+            character.place(spawns_[i]);
+            Wanderer wanderer{uint32_t(i)};
+            for (int k = 0; k < steps_each && character.state().position.y > lowest_ - 1; ++k) {
+                character.update(wanderer.next(), kStep);
+                ASSERT_FALSE(arena_.world().overlaps(character.capsule()))
+                    << "spawn " << i << ", step " << k;
+                ASSERT_LT(glm::length(character.state().velocity), 60) << i;
+            }
+        }
+    }
+
 private:
     // From goal to goal, chosen at random.
     void walk_part(const FloorGraph& graph, uint32_t start) {
@@ -129,6 +145,7 @@ void tour(const std::string& name) {
     EXPECT_EQ(log.reached, log.waypoints);
     EXPECT_EQ(log.fallen, 0u);
     EXPECT_EQ(log.overlapping, 0u);
+    tour.wander(is_full() ? 10000 : 200);
 }
 
 TEST(Tour, OaDm2) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <stdexcept>
 
 namespace peregrine::test {
@@ -135,13 +134,10 @@ gameplay::Character standing(const gameplay::World& world, const Vec3& position,
     return character;
 }
 
-uint64_t hash(const gameplay::CharacterState& state, uint64_t start) {
-    gameplay::CharacterState copy = state;
-    copy.ground.generation = 0;
-    unsigned char bytes[sizeof copy];
-    std::memcpy(bytes, &copy, sizeof copy);
-    for (const unsigned char byte : bytes) start = (start ^ byte) * 1099511628211u;
-    return start;
+uint64_t hash(const gameplay::CharacterState& state) {
+    gameplay::StateHash hash;
+    add(hash, state);
+    return hash.value();
 }
 
 } // namespace peregrine::test
