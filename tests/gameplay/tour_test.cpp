@@ -70,9 +70,14 @@ public:
 
     // At random, with jumps, from spawn to spawn; who falls out of the level begins at the next.
     void wander(int steps_each) {
+        size_t walks = 0;
         for (size_t i = 0; i < spawns_.size(); ++i) {
+            const auto floor = arena_.world().closest(spawns_[i], {0, -4, 0});
+            if (!floor) continue;
             Character character(arena_.world(), kRules);
-            character.place(spawns_[i]);
+            character.place(floor->point);
+            if (arena_.world().overlaps(character.capsule())) continue; // a niche for smaller ones
+            ++walks;
             Wanderer wanderer{uint32_t(i)};
             for (int k = 0; k < steps_each && character.state().position.y > lowest_ - 1; ++k) {
                 character.update(wanderer.next(), kStep);
@@ -81,6 +86,7 @@ public:
                 ASSERT_LT(glm::length(character.state().velocity), 60) << i;
             }
         }
+        EXPECT_GT(2 * walks, spawns_.size());
     }
 
 private:
