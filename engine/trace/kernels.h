@@ -8,12 +8,13 @@
 #include "math/box.h"
 #include "math/ray.h"
 #include "trace/filter.h"
-#include "trace/shapes/shapes.h"
 
 #include <cstdint>
 #include <limits>
 
 namespace peregrine::trace {
+
+struct ShapeKernels; // trace/shapes/shapes.h
 
 enum class Structure : uint32_t { bvh = 0, kdtree = 1, bih = 2 };
 
@@ -105,7 +106,7 @@ struct Kernels {
     void (*occluded_stream)(const Target& target, const RayStream& rays, const Filter& filter,
                             uint8_t* occluded);
     base::Isa isa; // never `best`
-    ShapeKernels shapes{};
+    const ShapeKernels* shapes = nullptr;
 };
 
 // The table for an instruction set; null if this machine lacks it. `best` never fails.

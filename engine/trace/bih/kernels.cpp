@@ -26,7 +26,7 @@ Kernels make_kernels(base::Isa isa) {
             closest_each<Rays::closest>,
             occluded_each<Rays::occluded>,
             isa,
-            shapes_in_lists<Leaves>()};
+            &kShapesInLists<Leaves>};
 }
 
 } // namespace peregrine::trace::bih

@@ -27,7 +27,7 @@ Kernels make_kernels(base::Isa isa) {
             streams ? streams->closest : closest_each<Rays::closest>,
             streams ? streams->occluded : occluded_each<Rays::occluded>,
             isa,
-            shapes_in_lists<Leaves>()};
+            &kShapesInLists<Leaves>};
 }
 
 } // namespace peregrine::trace::kdtree
