@@ -7,15 +7,9 @@
 #include "trace/world/shapes.h"
 
 namespace peregrine::query {
-namespace {
 
 using math::Vec3;
 using math::Vec3d;
-
-// What a ball around each point of the axis fills.
-trace::Volume volume_of(const Vec3& center, const Vec3& direction, const Vec3& axis, float radius) {
-    return {Vec3d(center), Vec3d(direction), glm::abs(Vec3d(axis)) + double(radius), Vec3d(0)};
-}
 
 // Columns of the rotation matrix. Lengths are told from 0 by the largest component, so that none
 // vanishes.
@@ -29,6 +23,14 @@ geometry::Cuboid cuboid_of(const Shape& shape) {
              {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
              {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}},
             Vec3d(shape.extent)};
+}
+
+namespace {
+
+// What a ball around each point of the axis fills.
+trace::Volume volume_of(const Vec3& center, const Vec3& direction, const Vec3& axis, float radius) {
+    return {Vec3d(center), Vec3d(direction), glm::abs(Vec3d(axis)) + double(radius), Vec3d(axis),
+            double(radius)};
 }
 
 struct Prepared {
@@ -48,6 +50,7 @@ Prepared prepare(const Shape& shape, const trace::Filter& filter) {
         out.volume.extent =
             (glm::abs(box.axis[0]) * box.half.x + glm::abs(box.axis[1]) * box.half.y)
             + glm::abs(box.axis[2]) * box.half.z;
+        out.volume.radius = std::sqrt(glm::dot(box.half, box.half)) * (1 + 0x1p-40);
         return out;
     }
     const Vec3 axis = shape.kind == Shape::capsule ? shape.extent : Vec3(0);

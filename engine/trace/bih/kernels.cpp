@@ -27,7 +27,7 @@ Kernels make_kernels(base::Isa isa) {
             occluded_each<Rays::occluded>,
             Rays::visit,
             isa,
-            shapes_in_lists<Leaves>()};
+            &kShapesInLists<Leaves>};
 }
 
 } // namespace peregrine::trace::bih

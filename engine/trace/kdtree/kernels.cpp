@@ -28,7 +28,7 @@ Kernels make_kernels(base::Isa isa) {
             streams ? streams->occluded : occluded_each<Rays::occluded>,
             Rays::visit,
             isa,
-            shapes_in_lists<Leaves>()};
+            &kShapesInLists<Leaves>};
 }
 
 } // namespace peregrine::trace::kdtree

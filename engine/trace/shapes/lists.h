@@ -23,8 +23,6 @@ struct TrianglesOfLists {
 };
 
 template <class Leaves>
-constexpr ShapeKernels shapes_in_lists() {
-    return plain_shapes<TrianglesOfLists<Leaves>>();
-}
+inline constexpr const ShapeKernels& kShapesInLists = kPlainShapes<TrianglesOfLists<Leaves>>;
 
 } // namespace peregrine::trace

@@ -49,15 +49,14 @@ public:
                         const NearestQuery& query, NearestHit& best) {
         if (target.bounds.empty()) return;
         const double end = double(best.limit(query.radius));
-        const double reach = reach_of(target.bounds, volume);
-        for (double radius = first_radius(target.bounds, volume, double(query.radius));;
-             radius *= 4) {
-            const Volume ball = shrunk(volume, std::min(radius, end) / double(query.radius));
+        const double reach = reach_of(target.bounds, with_radius(volume, 0));
+        for (double radius = first_radius(target.bounds, volume);; radius *= 4) {
+            const Volume ball = with_radius(volume, std::min(radius, end));
             visit(target, ball, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
                 judge(query, place, vertices, target.infos, index, best);
                 return false;
             });
-            const bool is_all = std::min({ball.extent.x, ball.extent.y, ball.extent.z}) > reach;
+            const bool is_all = ball.radius > reach;
             if (!(radius < end) || double(best.distance) <= radius || is_all) return;
         }
     }
@@ -75,9 +74,8 @@ private:
 };
 
 template <class Structure>
-constexpr ShapeKernels plain_shapes() {
-    using Shapes = PlainShapes<Structure>;
-    return {Shapes::sweep, Shapes::overlaps, Shapes::collect, Shapes::nearest};
-}
+inline constexpr ShapeKernels kPlainShapes = {
+    PlainShapes<Structure>::sweep, PlainShapes<Structure>::overlaps,
+    PlainShapes<Structure>::collect, PlainShapes<Structure>::nearest};
 
 } // namespace peregrine::trace

@@ -31,7 +31,13 @@ struct Volume {
     math::Vec3d origin{0};
     math::Vec3d direction{0}; // 0: at rest
     math::Vec3d extent{0};
-    math::Vec3d slack{0}; // how much of it is there for the sake of rounding
+    // And all of it is within `radius` of the segment from -axis to axis around that point.
+    math::Vec3d axis{0};
+    double radius = 0;
+    // How much of `extent` and `radius` is there for the sake of rounding, and what the rest is to
+    // the radius that was asked for, for balls.
+    double slack = 0;
+    double stretch = 1;
 };
 
 // Whether the triangle counts, beyond its geometry: the one place that decides it for shapes.
