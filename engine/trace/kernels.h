@@ -110,6 +110,7 @@ struct Kernels {
     void (*visit)(const Target& target, const math::Ray& ray, Visitor& visitor);
     base::Isa isa; // never `best`
     const ShapeKernels* shapes = nullptr;
+    const ShapeKernels* plain_shapes = nullptr; // these heed Watch::counters
 };
 
 // The table for an instruction set; null if this machine lacks it. `best` never fails.
