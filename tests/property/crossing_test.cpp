@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 namespace peregrine::test {
 namespace {
 
@@ -52,7 +50,7 @@ struct Answers {
     bool right(size_t ray, const std::vector<Hit>& expected) const {
         const size_t count = std::min<size_t>(most, expected.size());
         return counts[ray] == expected.size() && stored[ray] == count
-               && std::memcmp(&hits[ray * most], expected.data(), count * sizeof(Hit)) == 0;
+               && same_hits(&hits[ray * most], expected.data(), count);
     }
 };
 

@@ -141,9 +141,9 @@ private:
         const Hit& closest = answers.closest[i];
         return answers.occluded[i] == !hits.empty()
                && (hits.empty() ? closest.triangle == geometry::kNoTriangle
-                                : std::memcmp(&closest, &hits[0], sizeof closest) == 0)
+                                : same_hits(&closest, &hits[0], 1))
                && answers.counts[i] == crossings.size() && answers.stored[i] == count
-               && std::memcmp(&answers.all[i * kMost], crossings.data(), count * sizeof(Hit)) == 0;
+               && same_hits(&answers.all[i * kMost], crossings.data(), count);
     }
 
     base::Handle add_holes() {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <tuple>
 
 namespace peregrine::test {
@@ -128,6 +129,10 @@ math::Affine random_placement(std::mt19937& random, double spread) {
         to_world.offset = spread * math::Vec3d(unit(random), unit(random), unit(random));
     } while (std::abs(math::determinant(to_world)) < 0.1 * scale * scale * scale);
     return to_world;
+}
+
+bool same_hits(const query::Hit* a, const query::Hit* b, size_t count) {
+    return count == 0 || std::memcmp(a, b, count * sizeof *a) == 0;
 }
 
 query::Rays rays_of(const std::vector<Ray>& rays) {

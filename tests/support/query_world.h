@@ -58,6 +58,9 @@ private:
 // Turned, stretched and sheared at random; every other one mirrors.
 math::Affine random_placement(std::mt19937& random, double spread);
 
+// By bits.
+bool same_hits(const query::Hit* a, const query::Hit* b, size_t count);
+
 // Rays from records.
 query::Rays rays_of(const std::vector<math::Ray>& rays);
 
