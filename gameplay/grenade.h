@@ -4,6 +4,7 @@
 #include "gameplay/contacts.h"
 #include "gameplay/flight.h"
 #include "gameplay/rolling.h"
+#include "gameplay/state_hash.h"
 
 #include <vector>
 
@@ -64,6 +65,7 @@ public:
     Vec3 velocity() const { return now().velocity; }
     Vec3 spin() const { return state_.spin; }
     const GrenadeRules& rules() const { return rules_; }
+    void add_to(StateHash& hash) const;
     const GrenadeState& state() const { return state_; }         // all of it, beside time()
     std::span<const Bounce> bounces() const { return bounces_; } // during the last advance
 
