@@ -75,6 +75,21 @@ TEST(GrenadeRoll, StopsWhereFrictionHoldsIt) {
     EXPECT_LT(stopped, 1.6 / 9.81 / 0.06);
 }
 
+// Slowly across a slope that friction just about holds: it turns downhill and stops, without
+// swaying on for ever.
+TEST(GrenadeRoll, DoesNotSwayDownASlope) {
+    Arena arena;
+    arena.add_quad({-50, 6, -50}, {-50, 6, 50}, {50, -6, 50}, {50, -6, -50});
+    arena.commit();
+    const Vec3 normal = glm::normalize(Vec3(0.12, 1, 0));
+    for (const double speed : {0.005, 0.02, 0.1}) {
+        Grenade grenade(arena.world(), {}, 0, 0.075 * normal, {0, 0, speed});
+        grenade.advance(arena.world(), 3);
+        EXPECT_EQ(grenade.motion(), Motion::resting) << speed;
+        EXPECT_LT(glm::distance(grenade.position(), 0.075 * normal), speed);
+    }
+}
+
 //   o->
 //   ______
 //         |       off a table: over its edge without a jump, then down
