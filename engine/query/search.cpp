@@ -3,10 +3,10 @@
 #include "query/check_rays.h"
 #include "query/chosen.h"
 #include "query/spread.h"
+#include "query/total_counters.h"
 #include "query/valid_ray.h"
 #include "trace/world/search.h"
 
-#include <atomic>
 #include <limits>
 
 namespace peregrine::query {
@@ -42,20 +42,6 @@ private:
     const Accept& accept_;
     trace::Judge judge_;
     uint64_t ray_ = 0;
-};
-
-// Of all threads.
-class TotalCounters {
-public:
-    void add(const trace::Counters& counters) {
-        nodes_.fetch_add(counters.nodes, std::memory_order_relaxed);
-        triangles_.fetch_add(counters.triangles, std::memory_order_relaxed);
-        instances_.fetch_add(counters.instances, std::memory_order_relaxed);
-    }
-    trace::Counters get() const { return {nodes_.load(), triangles_.load(), instances_.load()}; }
-
-private:
-    std::atomic<uint64_t> nodes_{0}, triangles_{0}, instances_{0};
 };
 
 // Calls answer(search, i, ray) for every ray.

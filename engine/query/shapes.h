@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/shapes/overlap.h"
 #include "query/query.h"
 #include "query/records.h"
 #include "scene/snapshot.h"
@@ -102,6 +103,9 @@ struct OverlapLists {
     uint32_t most;
     Strided<uint32_t> counts;
 };
+
+// What a box fills, around its centre.
+geometry::Cuboid cuboid_of(const Shape& box);
 
 // Faces: for sweeps a front is a triangle whose geometric normal points against the direction; for
 // the others one that the centre is in front of, or in whose plane it lies.

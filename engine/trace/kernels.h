@@ -8,13 +8,14 @@
 #include "math/box.h"
 #include "math/ray.h"
 #include "trace/filter.h"
-#include "trace/shapes/shapes.h"
 #include "trace/visitor.h"
 
 #include <cstdint>
 #include <limits>
 
 namespace peregrine::trace {
+
+struct ShapeKernels; // trace/shapes/shapes.h
 
 enum class Structure : uint32_t { bvh = 0, kdtree = 1, bih = 2 };
 
@@ -108,7 +109,8 @@ struct Kernels {
     // Shows the visitor every triangle that it wants to see; no filter.
     void (*visit)(const Target& target, const math::Ray& ray, Visitor& visitor);
     base::Isa isa; // never `best`
-    ShapeKernels shapes{};
+    const ShapeKernels* shapes = nullptr;
+    const ShapeKernels* plain_shapes = nullptr; // these heed Watch::counters
 };
 
 // The table for an instruction set; null if this machine lacks it. `best` never fails.

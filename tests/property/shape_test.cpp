@@ -37,6 +37,10 @@ template <class Record>
 query::Strided<Record> strided(std::vector<Record>& records) {
     return {reinterpret_cast<std::byte*>(records.data()), records.size(), sizeof(Record)};
 }
+template <class Record>
+query::Placed<Record> placed(std::vector<Record>& records) {
+    return {strided(records)};
+}
 
 template <class Record>
 bool same(const Record& a, const Record& b) {
@@ -57,7 +61,8 @@ void expect_same(const std::vector<In>& asked, const std::vector<Out>& expected,
             words << ' ' << f;
         }
         words << std::dec << std::defaultfloat;
-        for (const auto& [name, hit] : {std::pair("\n  expected", expected[i]), std::pair("\n  got", got[i])}) {
+        for (const auto& [name, hit] :
+             {std::pair("\n  expected", expected[i]), std::pair("\n  got", got[i])}) {
             words << name;
             for (size_t k = 0; k < sizeof(Out) / 4; ++k) {
                 float f;
@@ -118,27 +123,35 @@ Expected ask_brute_force(const std::vector<ShapeMesh>& meshes, const Asked& aske
     return expected;
 }
 
-void compare(const scene::Snapshot& snapshot, Asked& asked, const Expected& expected,
-             const query::Selection& selection, const std::string& what) {
+void compare_request(const scene::Snapshot& snapshot, Asked& asked, const Expected& expected,
+                     const query::Request& request, const std::string& what) {
     std::vector<query::SweepHit> hits(asked.sweeps.size());
-    query::sweep(snapshot, strided(asked.sweeps), selection, strided(hits));
+    query::sweep(snapshot, placed(asked.sweeps), request, strided(hits));
     expect_same(asked.sweeps, expected.sweeps, hits, "sweeps, " + what);
 
     std::vector<uint8_t> overlaps(asked.shapes.size(), 9);
-    query::overlap_any(snapshot, strided(asked.shapes), selection, strided(overlaps));
+    query::overlap_any(snapshot, placed(asked.shapes), request, strided(overlaps));
     expect_same(asked.shapes, expected.overlaps, overlaps, "overlaps, " + what);
 
     std::vector<query::OverlapHit> lists(asked.shapes.size() * kMost, kUntouched);
     std::vector<uint32_t> counts(asked.shapes.size());
-    query::overlap_all(snapshot, strided(asked.shapes), selection,
+    query::overlap_all(snapshot, placed(asked.shapes), request,
                        {reinterpret_cast<std::byte*>(lists.data()), sizeof(query::OverlapHit),
                         kMost, strided(counts)});
     expect_same(asked.shapes, expected.counts, counts, "counts, " + what);
     expect_same(lists, expected.lists, lists, "lists, " + what);
 
     std::vector<query::NearestPoint> nearest(asked.points.size());
-    query::nearest(snapshot, strided(asked.points), selection, strided(nearest));
+    query::nearest(snapshot, placed(asked.points), request, strided(nearest));
     expect_same(asked.points, expected.nearest, nearest, "nearest points, " + what);
+}
+
+// ... with counters too: those shapes go through the plain kernels.
+void compare(const scene::Snapshot& snapshot, Asked& asked, const Expected& expected,
+             const query::Selection& selection, const std::string& what) {
+    compare_request(snapshot, asked, expected, {selection}, what);
+    trace::Counters counters;
+    compare_request(snapshot, asked, expected, {selection, nullptr, &counters}, what + ", counted");
 }
 
 struct MeshToAdd {
@@ -148,8 +161,24 @@ struct MeshToAdd {
     math::Affine to_world = {};
 };
 
-void compare_all(const std::vector<MeshToAdd>& meshes, size_t count,
-                 const std::vector<query::Selection>& selections = {{}}) {
+// Which triangles count; `ignored` is a place in the list of meshes.
+struct Choice {
+    query::Selection selection = {};
+    int ignored = -1;
+};
+
+// Handles of another scene have other generations.
+void rename(Expected& expected, const ShapeWorld& world) {
+    const auto rename_mesh = [&](base::Handle& mesh) {
+        if (mesh) mesh = world.meshes()[mesh.index].handle;
+    };
+    for (query::SweepHit& hit : expected.sweeps) rename_mesh(hit.mesh);
+    for (query::NearestPoint& hit : expected.nearest) rename_mesh(hit.mesh);
+    for (query::OverlapHit& hit : expected.lists)
+        if (!same(hit, kUntouched)) rename_mesh(hit.mesh);
+}
+
+std::vector<geometry::Triangle> placed(const std::vector<MeshToAdd>& meshes) {
     std::vector<geometry::Triangle> all;
     for (const MeshToAdd& mesh : meshes)
         for (geometry::Triangle triangle : mesh.triangles) {
@@ -157,25 +186,301 @@ void compare_all(const std::vector<MeshToAdd>& meshes, size_t count,
                 *v = Vec3(mesh.to_world.point(math::Vec3d(*v)));
             all.push_back(triangle);
         }
-    Asked asked = make_cases(all, count, 21);
-    std::vector<Expected> expected;
+    return all;
+}
+
+void compare_all(const std::vector<MeshToAdd>& meshes, size_t count,
+                 const std::vector<Choice>& choices = {{}}) {
+    Asked asked = make_cases(placed(meshes), count, 21);
+    std::vector<Expected> expected(choices.size());
     for (const Way& way : kWays) {
         if (!base::machine_has(way.isa)) continue;
         ShapeWorld world(way.isa, way.structure);
         for (const MeshToAdd& mesh : meshes)
             world.add(mesh.triangles, mesh.kind, mesh.layer_mask, mesh.to_world);
         world.commit();
-        for (size_t i = 0; i < selections.size(); ++i) {
-            query::Selection selection = selections[i];
-            if (selection.ignore_mesh.generation)
-                selection.ignore_mesh = world.meshes()[selection.ignore_mesh.index].handle;
-            if (expected.size() == i)
-                expected.push_back(ask_brute_force(world.meshes(), asked, selection));
-            for (query::SweepHit& hit : expected[i].sweeps) rename(world, hit.mesh);
-            for (query::OverlapHit& hit : expected[i].lists)
-                if (!same(hit, kUntouched)) rename(world, hit.mesh);
-            for (query::NearestPoint& hit : expected[i].nearest) rename(world, hit.mesh);
+        for (size_t i = 0; i < choices.size(); ++i) {
+            query::Selection selection = choices[i].selection;
+            if (choices[i].ignored >= 0)
+                selection.ignore_mesh = world.meshes()[size_t(choices[i].ignored)].handle;
+            if (expected[i].sweeps.empty())
+                expected[i] = ask_brute_force(world.meshes(), asked, selection);
+            rename(expected[i], world);
             compare(world.snapshot(), asked, expected[i], selection, way.name);
         }
     }
 }
+
+// ------------------------------------------------------------------------------ levels of others
+
+class ShapeFileTest : public testing::TestWithParam<std::string> {};
+
+TEST_P(ShapeFileTest, EqualsBruteForce) {
+    std::vector<MeshToAdd> meshes;
+    for (const geometry::Triangle& triangle : load_scene(GetParam()).triangles) {
+        if (meshes.size() <= triangle.mesh) meshes.resize(triangle.mesh + 1);
+        meshes[triangle.mesh].triangles.push_back(triangle);
+    }
+    ASSERT_FALSE(meshes.empty());
+    compare_all(meshes, rays_per_set(20));
+}
+
+std::vector<std::string> files() {
+    std::vector<std::string> names = scene_names();
+    names.push_back("hall");
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, ShapeFileTest, testing::ValuesIn(files()),
+                         [](const auto& info) { return info.param; });
+
+TEST(ShapeFiles, AreThere) {
+    if (scene_names().empty())
+        GTEST_SKIP() << "no scenes of others: set PEREGRINE_SCENES to a folder of .glb files";
+}
+
+// --------------------------------------------------------------------------------- adversaries
+
+void expect_exact(std::vector<geometry::Triangle> triangles, size_t count = 200) {
+    compare_all({{std::move(triangles)}}, rays_per_set(count));
+}
+
+TEST(ShapeAdversary, Soup) {
+    expect_exact(soup(1, 2000, 0.1f));
+}
+TEST(ShapeAdversary, LargeTriangles) {
+    expect_exact(soup(2, 200, 2));
+}
+TEST(ShapeAdversary, OneTriangle) {
+    expect_exact(soup(3, 1, 1));
+}
+
+TEST(ShapeAdversary, Scales) {
+    for (const float scale : {1e-30f, 1e-20f, 1e-6f, 1e-4f, 1e6f, 1e15f, 1e20f})
+        expect_exact(soup(5, 200, 0.3f, scale), 100);
+}
+
+TEST(ShapeAdversary, MixedScales) {
+    std::vector<geometry::Triangle> triangles = soup(6, 200, 0.3f, 1e6f);
+    for (const geometry::Triangle& triangle : soup(7, 200, 0.3f, 1e-6f))
+        triangles.push_back(triangle);
+    expect_exact(triangles);
+}
+
+//   +--+--+--+   Many triangles at the same distance: the smallest must win, by any way.
+//   |\ |\ |\ |
+//   | \| \| \|
+//   +--+--+--+
+TEST(ShapeAdversary, Lattice) {
+    TriangleList list;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int layer = 0; layer < 4; ++layer)
+            for (int i = 0; i < 4; ++i)
+                for (int j = 0; j < 4; ++j) {
+                    const auto at = [&](int a, int b) {
+                        Vec3 p;
+                        p[axis] = float(layer);
+                        p[(axis + 1) % 3] = float(a);
+                        p[(axis + 2) % 3] = float(b);
+                        return p;
+                    };
+                    list.add(at(i, j), at(i + 1, j), at(i, j + 1));
+                    list.add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+                }
+    expect_exact(list.triangles);
+}
+
+TEST(ShapeAdversary, CoincidentTriangles) {
+    TriangleList list;
+    for (int i = 0; i < 2500; ++i) list.add({0, 0, 0}, {1, 0, float(i % 3)}, {0, 1, float(i % 5)});
+    expect_exact(list.triangles, 20);
+}
+
+TEST(ShapeAdversary, Needles) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    TriangleList list;
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 d(unit(random), unit(random), unit(random));
+        list.add(-1000.0f * d, 1000.0f * d,
+                 1000.0f * d + 1e-4f * Vec3(unit(random), unit(random), unit(random)));
+    }
+    expect_exact(list.triangles);
+}
+
+// ------------------------------------------------------------------------ worlds that move,
+// choices
+
+math::Affine any_placement(std::mt19937& random, double spread) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    math::Affine map;
+    const double scale = std::exp2(2 * unit(random));
+    do
+        for (int row = 0; row < 3; ++row) {
+            for (int k = 0; k < 3; ++k) map.column[k][row] = scale * unit(random);
+            map.offset[row] = spread * unit(random);
+        }
+    while (std::abs(math::determinant(map)) < 0.1 * scale * scale * scale);
+    return map;
+}
+
+std::vector<MeshToAdd> moving_world(uint32_t seed, double spread) {
+    std::mt19937 random(seed);
+    std::vector<MeshToAdd> meshes;
+    const std::vector<geometry::Triangle> same = soup(seed, 40, 0.3f);
+    for (uint32_t i = 0; i < 3; ++i) {
+        meshes.push_back(
+            {soup(seed + i, 60, 0.2f), MeshKind::rigid, 1u << i, any_placement(random, spread)});
+        meshes.push_back({soup(seed + i, 100, 0.3f), MeshKind::deforming, 2u << i});
+        meshes.push_back({soup(seed + i, 150, 0.3f), MeshKind::fixed, 4u << i});
+        // The same triangles in the same place: the smallest mesh must win.
+        meshes.push_back({same, MeshKind(i), ~0u});
+    }
+    return meshes;
+}
+
+TEST(ShapeWorlds, ThatMove) {
+    for (const double spread : {1.0, 30.0, 1e6})
+        compare_all(moving_world(uint32_t(spread) + 1, spread), rays_per_set(100));
+}
+
+TEST(ShapeWorlds, Choices) {
+    std::vector<Choice> choices;
+    for (const trace::Faces faces : {trace::Faces::both, trace::Faces::front, trace::Faces::back})
+        for (const bool skips : {false, true}) {
+            query::Selection selection;
+            selection.faces = faces;
+            selection.skip_separating = skips;
+            choices.push_back({selection});
+            selection.layer_mask = skips ? 5 : 2;
+            choices.push_back({selection, skips ? 1 : 0});
+        }
+    compare_all(moving_world(50, 1), rays_per_set(60), choices);
+}
+
+// --------------------------------------------------------------------------------- what is refused
+
+class BadShapes : public testing::Test {
+protected:
+    void SetUp() override {
+        world_.add(soup(1, 10, 0.5f), MeshKind::fixed);
+        world_.commit();
+    }
+
+    template <class Call>
+    void expect_refused(Call&& call, const std::string& words) {
+        try {
+            call();
+            FAIL() << "not refused: " << words;
+        } catch (const base::Error& error) {
+            EXPECT_EQ(error.code, base::Code::invalid_argument);
+            EXPECT_EQ(std::string(error.text).substr(0, words.size()), words);
+        }
+    }
+
+    // The third of three records is bad; nothing is written for the first two.
+    void refuse(const query::Sweep& bad, const std::string& words) {
+        std::vector<query::Sweep> sweeps(3, kGood);
+        sweeps[2] = bad;
+        std::vector<query::SweepHit> hits(3);
+        std::memset(static_cast<void*>(hits.data()), 0x5a, sizeof(query::SweepHit) * 3);
+        const std::vector<query::SweepHit> before = hits;
+        expect_refused([&] { query::sweep(world_.snapshot(), placed(sweeps), {}, strided(hits)); },
+                       "sweep 2: " + words);
+        EXPECT_EQ(std::memcmp(before.data(), hits.data(), sizeof(query::SweepHit) * 3), 0);
+    }
+    void refuse(const query::Shape& bad, const std::string& words) {
+        std::vector<query::Shape> shapes{bad};
+        std::vector<uint8_t> overlaps{9};
+        expect_refused(
+            [&] { query::overlap_any(world_.snapshot(), placed(shapes), {}, strided(overlaps)); },
+            "shape 0: " + words);
+        EXPECT_EQ(overlaps[0], 9);
+    }
+
+    static constexpr query::Sweep kGood = {Vec3(0), 1, Vec3(0), 1, Vec3(1), 0};
+    ShapeWorld world_{base::Isa::best, trace::Structure::bvh};
+};
+
+constexpr float kBad[] = {std::numeric_limits<float>::quiet_NaN(),
+                          std::numeric_limits<float>::infinity(), -1.1e30f};
+
+TEST_F(BadShapes, Sweeps) {
+    for (const float bad : kBad) {
+        query::Sweep sweep = kGood;
+        sweep.center.y = bad;
+        refuse(sweep, "center y is ");
+        sweep = kGood;
+        sweep.axis.z = bad;
+        refuse(sweep, "axis z is ");
+        sweep = kGood;
+        sweep.direction.x = bad;
+        refuse(sweep, "direction x is ");
+        sweep = kGood;
+        sweep.radius = bad;
+        refuse(sweep, "radius is ");
+    }
+    query::Sweep sweep = kGood;
+    sweep.radius = -1e-9f;
+    refuse(sweep, "radius is -1e-09; it must not be negative");
+    sweep = kGood;
+    sweep.direction = Vec3(0);
+    refuse(sweep, "the direction is zero");
+    sweep = kGood;
+    sweep.t_max = kBad[0];
+    refuse(sweep, "t_max is NaN");
+    sweep.t_max = -1;
+    refuse(sweep, "t_max is negative");
+    sweep = kGood;
+    sweep.reserved = 1;
+    refuse(sweep, "reserved must be 0");
+}
+
+TEST_F(BadShapes, ShapesAndPoints) {
+    for (const float bad : kBad) {
+        query::Shape shape{Vec3(0), 1, Vec3(0), 0, {}};
+        shape.center.x = bad;
+        refuse(shape, "center x is ");
+        shape = {Vec3(0), bad, Vec3(0), 0, {}};
+        refuse(shape, "radius is ");
+        shape = {Vec3(0), 1, {0, bad, 0}, 1, {}};
+        refuse(shape, "extent y is ");
+        shape = {Vec3(0), 0, {0, 0, bad}, 2, {0, 0, 0, 1}};
+        refuse(shape, "extent z is ");
+        shape = {Vec3(0), 0, Vec3(1), 2, {0, bad, 0, 1}};
+        refuse(shape, "rotation y is ");
+        std::vector<query::Point> points{{{0, 0, bad}, 1}};
+        std::vector<query::NearestPoint> nearest(1);
+        const auto ask = [&] {
+            query::nearest(world_.snapshot(), placed(points), {}, strided(nearest));
+        };
+        expect_refused(ask, "point 0: position z is ");
+        points[0] = {Vec3(0), bad};
+        expect_refused(ask, "point 0: radius is ");
+    }
+    refuse(query::Shape{Vec3(0), 0, {1, -1, 1}, 2, {0, 0, 0, 1}},
+           "extent y is -1; it must not be negative");
+    refuse(query::Shape{Vec3(0), 0, Vec3(1), 2, {}}, "the rotation is zero");
+    refuse(query::Shape{Vec3(0), 0, Vec3(1), 3, {}}, "kind is unknown");
+}
+
+// More than the buffer of a pass holds.
+TEST(ShapeLists, OfAnyLength) {
+    ShapeWorld world(base::Isa::best, trace::Structure::bvh);
+    world.add(soup(4, 5000, 0.05f), MeshKind::fixed);
+    world.add(soup(5, 3000, 0.05f), MeshKind::rigid);
+    world.commit();
+    std::vector<query::Shape> shapes{{Vec3(0), 10, Vec3(0), 0, {}}, {Vec3(20), 1, Vec3(0), 0, {}}};
+    std::vector<uint32_t> counts(2);
+    std::vector<query::OverlapHit> hits(8000);
+    query::overlap_all(
+        world.snapshot(), placed(shapes), {},
+        {reinterpret_cast<std::byte*>(hits.data()), sizeof hits[0], 4000, strided(counts)});
+    EXPECT_EQ(counts, (std::vector<uint32_t>{8000, 0}));
+    for (uint32_t i = 0; i < 4000; ++i) EXPECT_EQ(hits[i].triangle, i);
+    query::overlap_all(world.snapshot(), placed(shapes), {}, {nullptr, 16, 0, strided(counts)});
+    EXPECT_EQ(counts[0], 8000u);
+}
+
+} // namespace
+} // namespace peregrine::test

@@ -1,5 +1,7 @@
 #include "shape_world.h"
 
+#include "geometry/shapes/sweep.h"
+
 #include <cmath>
 #include <limits>
 
@@ -82,31 +84,31 @@ query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::S
                             const query::Selection& selection) {
     query::SweepHit best{kInfinity, Vec3(0), Vec3(0), 0, geometry::kNoTriangle, {}, 0};
     const geometry::Sweep test(sweep.center, sweep.axis, sweep.direction, sweep.radius);
-    for_each_triangle(
-        meshes, selection, sweep.center,
-        [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
-            const geometry::Corners& corners, double side) {
-            geometry::Contact contact;
-            if (!geometry::sweep_triangle(test, corners, contact)
-                || !sees(selection, -side * contact.rate) || !(float(contact.t) <= sweep.t_max))
-                return;
-            if (selection.skip_separating && contact.initial
-                && glm::dot(Vec3d(sweep.direction), contact.normal) >= 0)
-                return;
-            const auto t = float(contact.t), depth = float(contact.depth);
-            const bool is_better =
-                contact.initial != (best.initial_contact != 0) ? contact.initial
-                : contact.initial                              ? depth > best.depth
-                                                               : t < best.t;
-            if (!is_better) return;
-            best = {t,
-                    Vec3(Vec3d(sweep.center) + contact.point),
-                    Vec3(contact.normal),
-                    depth,
-                    triangle.primitive,
-                    mesh.handle,
-                    contact.initial};
-        });
+    for_each_triangle(meshes, selection, sweep.center,
+                      [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
+                          const geometry::Corners& corners, double side) {
+                          geometry::Contact contact;
+                          if (!geometry::sweep_triangle(test, corners, contact)
+                              || !sees(selection, -side * contact.rate)
+                              || !(float(contact.t) <= sweep.t_max))
+                              return;
+                          if (selection.skip_separating && contact.initial
+                              && glm::dot(Vec3d(sweep.direction), contact.normal) >= 0)
+                              return;
+                          const auto t = float(contact.t), depth = float(contact.depth);
+                          const bool is_better = contact.initial != (best.initial_contact != 0)
+                                                     ? contact.initial
+                                                 : contact.initial ? depth > best.depth
+                                                                   : t < best.t;
+                          if (!is_better) return;
+                          best = {t,
+                                  Vec3(Vec3d(sweep.center) + contact.point),
+                                  Vec3(contact.normal),
+                                  depth,
+                                  triangle.primitive,
+                                  mesh.handle,
+                                  contact.initial};
+                      });
     return best;
 }
 
@@ -117,53 +119,51 @@ std::vector<query::OverlapHit> brute_overlap(const std::vector<ShapeMesh>& meshe
     const double rr = double(shape.radius) * double(shape.radius);
     const geometry::Cuboid box = query::cuboid_of(shape);
     std::vector<query::OverlapHit> hits;
-    for_each_triangle(meshes, selection, shape.center,
-                      [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
-                          const geometry::Corners& corners, double side) {
-                          const geometry::Face face = geometry::face_of(corners);
-                          const bool touches =
-                              shape.kind == query::Shape::box ? geometry::touches(box, corners)
-                              : is_capsule
-                                  ? geometry::nearest_to_segment(corners, face, Vec3d(shape.extent))
-                                            .square
-                                        <= rr
-                                  : geometry::nearest_to_origin(corners, face).square <= rr;
-                          if (touches && sees_centre(selection, corners, side))
-                              hits.push_back({mesh.handle, triangle.primitive, 0});
-                      });
+    for_each_triangle(
+        meshes, selection, shape.center,
+        [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
+            const geometry::Corners& corners, double side) {
+            const geometry::Face face = geometry::face_of(corners);
+            const bool touches =
+                shape.kind == query::Shape::box ? geometry::touches(box, corners)
+                : is_capsule
+                    ? geometry::nearest_to_segment(corners, face, Vec3d(shape.extent)).square <= rr
+                    : geometry::nearest_to_origin(corners, face).square <= rr;
+            if (touches && sees_centre(selection, corners, side))
+                hits.push_back({mesh.handle, triangle.primitive, 0});
+        });
     return hits;
 }
 
 query::NearestPoint brute_nearest(const std::vector<ShapeMesh>& meshes, const query::Point& point,
                                   const query::Selection& selection) {
     query::NearestPoint best{kInfinity, Vec3(0), Vec3(0), 0, 0, geometry::kNoTriangle, {}};
-    for_each_triangle(
-        meshes, selection, point.position,
-        [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
-            const geometry::Corners& corners, double side) {
-            const geometry::Face face = geometry::face_of(corners);
-            const geometry::NearestOnTriangle nearest(corners, face);
-            const auto distance = float(std::sqrt(nearest.square));
-            if (!(distance <= point.radius) || !(distance < best.distance)
-                || !sees_centre(selection, corners, side))
-                return;
-            const Vec3d away = nearest.at == Vec3d(0) ? side * face.normal : -nearest.at;
-            best = {distance,
-                    Vec3(Vec3d(point.position) + nearest.at),
-                    Vec3(geometry::unit_or_zero(away)),
-                    float(nearest.u),
-                    float(nearest.v),
-                    triangle.primitive,
-                    mesh.handle};
-        });
+    for_each_triangle(meshes, selection, point.position,
+                      [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
+                          const geometry::Corners& corners, double side) {
+                          const geometry::Face face = geometry::face_of(corners);
+                          const geometry::NearestOnTriangle nearest(corners, face);
+                          const auto distance = float(std::sqrt(nearest.square));
+                          if (!(distance <= point.radius) || !(distance < best.distance)
+                              || !sees_centre(selection, corners, side))
+                              return;
+                          const Vec3d away =
+                              nearest.at == Vec3d(0) ? side * face.normal : -nearest.at;
+                          best = {distance,
+                                  Vec3(Vec3d(point.position) + nearest.at),
+                                  Vec3(geometry::unit_or_zero(away)),
+                                  float(nearest.u),
+                                  float(nearest.v),
+                                  triangle.primitive,
+                                  mesh.handle};
+                      });
     return best;
 }
 
 ShapeCases::ShapeCases(std::vector<geometry::Triangle> triangles, uint32_t seed)
     : triangles_(std::move(triangles)), random_(seed) {
     for (const geometry::Triangle& t : triangles_) bounds_.extend(geometry::bounds(t));
-    diagonal_ = glm::length(bounds_.upper - bounds_.lower);
-    if (!(diagonal_ < 1e19f)) diagonal_ = (bounds_.upper - bounds_.lower).x;
+    diagonal_ = float(glm::length(Vec3d(bounds_.upper) - Vec3d(bounds_.lower)));
 }
 
 Vec3 ShapeCases::inside() {

@@ -40,10 +40,6 @@ private:
     std::vector<ShapeMesh> meshes_;
 };
 
-struct Touching {
-    std::vector<query::OverlapHit> hits;
-};
-
 // Through every triangle that counts, in order.
 query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::Sweep& sweep,
                             const query::Selection& selection);

@@ -19,9 +19,9 @@
 //   of all of it. A thicker one's normal is off by 2^26 e or less, its plane by 2^-26 M.
 //   A face met at an angle below 2^-26, and an edge moved along at such an angle, are left out: the
 //   ball gets deeper by 2^-26 M at most before it leaves them or meets the next feature.
-//   At larger angles the path's distance from an edge is off by 8 e M 2^26, and face slack by 2^-22
-//   M.
-// So a contact is real, and none is missed, but for 2^-21 M in the distance in the worst of cases,
+//   At larger angles the path's distance from an edge is off by 8 e M 2^26, and the slack of a face
+//   is at most 3 M * 3 * 2^-50 * 2^26.
+// So a contact is real, and none is missed, but for 2^-20 M in the distance in the worst of cases,
 // and some e M in the usual ones. That is what traversal allows for (trace/shapes/volume.h).
 namespace peregrine::geometry {
 
@@ -169,7 +169,7 @@ struct FirstContact {
         const Vec3d p = when * motion.direction;
         const double longest = std::max(size_of(face.side0), size_of(face.side1));
         const double slack =
-            0x1p-49 * (size_of(p) + longest) * (length * (size_of(motion.direction) / speed));
+            0x1p-50 * (size_of(p) + longest) * (length * (size_of(motion.direction) / speed));
         if (!face.holds(p, slack)) return;
         *this = {when, p - face.foot(p - face.corner), outward,
                  face.core + face.step * (face.place(p).y / face.nn)};

@@ -11,8 +11,8 @@ namespace {
 struct Leaves {
     static const uint32_t* references(const Target& target) { return target.bih_references; }
     template <class Real, class Leaf>
-    static void visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
-        visit_leaves(target, slabs, leaf);
+    static uint32_t visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
+        return visit_leaves(target, slabs, leaf);
     }
 };
 
@@ -27,7 +27,8 @@ Kernels make_kernels(base::Isa isa) {
             occluded_each<Rays::occluded>,
             Rays::visit,
             isa,
-            shapes_in_lists<Leaves>()};
+            &kShapesInLists<Leaves>,
+            &kShapesInLists<Leaves>};
 }
 
 } // namespace peregrine::trace::bih

@@ -149,7 +149,8 @@ HWY_INLINE HWY_ATTR void fetch(const Node& node) {
 // Puts all but the nearest of the children on the stack, near ones last, and
 // returns the nearest. There is at least one. Most nodes have one or two: those
 // take no loop.
-HWY_INLINE HWY_ATTR Link push(const Node* nodes, const Node& node, const Entered& entered,
+template <class Children>
+HWY_INLINE HWY_ATTR Link push(const Node* nodes, const Node& node, const Children& entered,
                               uint64_t*& top) {
     uint32_t children = entered.children;
     const auto next = [&]() HWY_ATTR {

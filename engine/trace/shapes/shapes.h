@@ -5,6 +5,7 @@
 #include "geometry/triangle.h"
 #include "math/affine.h"
 #include "trace/filter.h"
+#include "trace/visitor.h"
 
 #include <cstdint>
 #include <limits>
@@ -31,7 +32,13 @@ struct Volume {
     math::Vec3d origin{0};
     math::Vec3d direction{0}; // 0: at rest
     math::Vec3d extent{0};
-    math::Vec3d slack{0}; // how much of it is there for the sake of rounding
+    // And all of it is within `radius` of the segment from -axis to axis around that point.
+    math::Vec3d axis{0};
+    double radius = 0;
+    // How much of `extent` and `radius` is there for the sake of rounding, and what the rest is to
+    // the radius that was asked for, for balls.
+    double slack = 0;
+    double stretch = 1;
 };
 
 // Whether the triangle counts, beyond its geometry: the one place that decides it for shapes.
@@ -42,11 +49,20 @@ inline bool counts(const Filter& filter, const geometry::TriangleInfo& triangle,
     return filter.sees_mesh(triangle);
 }
 
+// What few queries want besides.
+struct Watch {
+    // Null: all triangles count that pass the rest.
+    bool (*accepts)(void* context, uint32_t mesh, uint32_t primitive) = nullptr;
+    void* context = nullptr;
+    Counters* counters = nullptr; // null: not counted
+};
+
 struct SweepQuery {
     geometry::Sweep sweep;
     Filter filter;
     float t_max;
     bool skip_separating; // initial contacts that do not get deeper do not count
+    const Watch* watch = nullptr;
 };
 
 // The contact that comes first: initial ones before others, the deepest of them; the smallest t of
@@ -93,12 +109,14 @@ struct Shape {
 struct OverlapQuery {
     Shape shape;
     Filter filter;
+    const Watch* watch = nullptr;
 };
 
 struct NearestQuery {
     math::Vec3d point{0};
     Filter filter;
     float radius = 0;
+    const Watch* watch = nullptr;
 };
 
 struct NearestHit {

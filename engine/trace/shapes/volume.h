@@ -8,9 +8,9 @@
 //
 // Let D be the largest distance along an axis from the origin to a corner of the bounds, E the
 // largest extent, e = 2^-24. A contact at t has a witness P on its triangle, hence in a leaf's box,
-// that the shape at t is within 2^-21 M of touching (geometry/shapes/features.h), where M is a
-// 1-norm of numbers below D + E: 3 * 2^-21 (D + E). To this slabs.h adds 5.5 e (D + E) for
-// arithmetic, parallel paths and the rounding of t. The sum is below 2^-19 (D + E); 2^-18 are
+// that the shape at t is within 2^-20 M of touching (geometry/shapes/features.h), where M is a
+// 1-norm of numbers below D + E: 3 * 2^-20 (D + E). To this slabs.h adds 5.5 e (D + E) for
+// arithmetic, parallel paths and the rounding of t. The sum is below 2^-18 (D + E); 2^-17 are
 // taken.
 namespace peregrine::trace {
 
@@ -34,24 +34,23 @@ inline bool fits_float(const Volume& volume, double reach) {
            && reach <= 0x1p60 && largest_component(volume.origin) <= 0x1p60;
 }
 
-// Around the same origin, with what is not due to rounding made smaller.
-inline Volume shrunk(const Volume& volume, double by) {
-    Volume small = volume;
-    if (by < 1) small.extent = (volume.extent - volume.slack) * by + volume.slack;
-    return small;
+// A ball around the same origin, of another radius in the world.
+inline Volume with_radius(const Volume& ball, double radius) {
+    Volume other = ball;
+    other.radius = radius * ball.stretch + ball.slack;
+    other.extent = math::Vec3d(other.radius);
+    return other;
 }
 
-// Of the ball that is `radius` large in the world: one that reaches a bit of the bounds.
-inline double first_radius(const math::Box& bounds, const Volume& volume, double radius) {
-    const math::Vec3d size = volume.extent - volume.slack;
-    const double largest = std::max(size.x, std::max(size.y, size.z));
+// Of a ball in the world that reaches a bit of the bounds.
+inline double first_radius(const math::Box& bounds, const Volume& volume) {
     double gap = 0, side = 0;
     for (int k = 0; k < 3; ++k) {
         const double lower = double(bounds.lower[k]), upper = double(bounds.upper[k]);
         gap = std::max(gap, std::max(lower - volume.origin[k], volume.origin[k] - upper));
         side = std::max(side, upper - lower);
     }
-    return largest > 0 ? (gap + side / 64) * (radius / largest) : radius;
+    return (gap + side / 64) / volume.stretch;
 }
 
 // For a volume at rest every axis is measured in lengths, at the one time 0.
@@ -59,7 +58,7 @@ template <class Real>
 Slabs<Real> slabs(const Volume& volume, double reach, float t_max) {
     Slabs<Real> s;
     const double smallest = 0x1p-26 * largest_component(volume.direction);
-    const double error = 0x1p-18 * reach + 0x1p-146;
+    const double error = 0x1p-17 * reach + 0x1p-146;
     for (int k = 0; k < 3; ++k) {
         const double d = volume.direction[k];
         s.origin[k] = Real(volume.origin[k]);

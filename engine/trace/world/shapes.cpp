@@ -10,18 +10,36 @@ using accel::instances::Node;
 
 constexpr Place kWhereItIs;
 
-Place place_of(const Instance& instance) {
-    return {instance.to_world, instance.mirrored, instance.mesh};
+template <class Query>
+const ShapeKernels& kernels(const Part& part, const Query& query) {
+    const bool counts = query.watch && query.watch->counters;
+    return counts ? *part.kernels->plain_shapes : *part.kernels->shapes;
 }
 
-// The volume in the instance's space.
-//
-// What is there within the volume's own extent is at most |W| times as far away: the sums of
-// magnitudes of its rows, W being the map to local space. To this comes what is rounded: the local
-// origin and direction, if kernels want them in float (2^-23 of the origin, of the path as
-// trace/shapes/volume.h has it), and the maps there and back in double: c 2^-44 (|W| (|o| + |m|) +
-// |w| + R), where m and w are the offsets, R the largest |coordinate| of the mesh and c = |M| |W|.
+Place place_of(const Instance& instance) {
+    return instance.has_own_space ? Place{instance.to_world, instance.mirrored, instance.mesh}
+                                  : kWhereItIs;
+}
+
+// At least the length of the image of any unit vector: |W| = sqrt(|W^T W|), the latter in the
+// maximum norm, which is exact for turned and scaled meshes.
+double longest_image(const math::Affine& map) {
+    double largest = 0;
+    for (const math::Vec3d& row : map.column) {
+        double sum = 0;
+        for (const math::Vec3d& column : map.column) sum += std::fabs(glm::dot(row, column));
+        largest = std::max(largest, sum);
+    }
+    return std::sqrt(largest) * (1 + 0x1p-40);
+}
+
+// The volume in the instance's space. To what the map to there, W, makes of it comes what is
+// rounded: the local origin, if kernels want it in float, and the maps there and back in double:
+// c 2^-44 (|W| (|o| + |m|) + |w| + R), where m and w are the offsets, R the largest |coordinate| of
+// the mesh and c = |M| |W|; twice each, so that the corner of a cube of slack is within a ball of
+// it.
 Volume to_local(const Instance& instance, const Volume& volume) {
+    if (!instance.has_own_space) return volume;
     const math::Affine& map = instance.to_local;
     Volume local;
     local.origin = map.point(volume.origin);
@@ -35,11 +53,14 @@ Volume to_local(const Instance& instance, const Volume& volume) {
         shrinks
             * (largest(volume.origin) + largest(instance.to_world->offset) + largest(volume.extent))
         + largest(map.offset) + mesh;
-    local.slack = math::Vec3d(0x1p-22 * largest(local.origin) + condition * 0x1p-44 * size);
+    local.slack = 0x1p-21 * largest(local.origin) + condition * 0x1p-43 * size;
     local.extent =
         ((glm::abs(map.column[0]) * volume.extent.x + glm::abs(map.column[1]) * volume.extent.y)
          + glm::abs(map.column[2]) * volume.extent.z)
         + local.slack;
+    local.axis = map.vector(volume.axis);
+    local.stretch = longest_image(map);
+    local.radius = volume.radius * local.stretch + local.slack;
     return local;
 }
 
@@ -103,6 +124,8 @@ bool visit_instances(const World& world, const Volume& volume, const Filter& fil
 // The same query for what is seen within an instance.
 template <class Query>
 Query within(const Query& query, const Instance& instance) {
+    if (query.watch && query.watch->counters && instance.has_own_space)
+        ++query.watch->counters->instances;
     Query inside = query;
     inside.filter = filter_within(query.filter, instance);
     return inside;
@@ -146,15 +169,14 @@ NearestHit limit_of(const NearestHit& best) {
 
 FirstHit sweep(const World& world, const Volume& volume, const SweepQuery& query) {
     FirstHit best;
-    world.fixed.kernels->shapes.sweep(world.fixed.target, kWhereItIs, volume, query, best);
-    if (!world.moves) return best;
+    kernels(world.fixed, query).sweep(world.fixed.target, kWhereItIs, volume, query, best);
+    if (!world.nodes) return best;
     const auto look = [&](const Part& part, const Place& place, const Volume& there,
                           const SweepQuery& asked) {
         FirstHit hit = limit_of(best);
-        part.kernels->shapes.sweep(part.target, place, there, asked, hit);
+        kernels(part, query).sweep(part.target, place, there, asked, hit);
         take_first(world, hit, part.first, best);
     };
-    if (!world.deforming.empty()) look(world.deforming, kWhereItIs, volume, query);
     float t_max = best.limit(query.t_max);
     visit_instances(world, volume, query.filter, t_max,
                     [&](const Instance& instance, const Volume& local) {
@@ -166,55 +188,46 @@ FirstHit sweep(const World& world, const Volume& volume, const SweepQuery& query
 }
 
 bool overlaps(const World& world, const Volume& volume, const OverlapQuery& query) {
-    if (world.fixed.kernels->shapes.overlaps(world.fixed.target, kWhereItIs, volume, query))
+    if (kernels(world.fixed, query).overlaps(world.fixed.target, kWhereItIs, volume, query))
         return true;
-    if (!world.moves) return false;
-    if (const Part& part = world.deforming;
-        !part.empty() && part.kernels->shapes.overlaps(part.target, kWhereItIs, volume, query))
-        return true;
+    if (!world.nodes) return false;
     const float at_rest = 0;
-    return visit_instances(world, volume, query.filter, at_rest,
-                           [&](const Instance& instance, const Volume& local) {
-                               const Part& part = instance.part;
-                               return part.kernels->shapes.overlaps(part.target, place_of(instance),
-                                                                    local, within(query, instance));
-                           });
+    return visit_instances(
+        world, volume, query.filter, at_rest, [&](const Instance& instance, const Volume& local) {
+            const Part& part = instance.part;
+            return kernels(part, query)
+                .overlaps(part.target, place_of(instance), local, within(query, instance));
+        });
 }
 
 void collect(const World& world, const Volume& volume, const OverlapQuery& query,
              Touched& touched) {
-    world.fixed.kernels->shapes.collect(world.fixed.target, kWhereItIs, volume, query, touched);
-    if (!world.moves) return;
-    if (const Part& part = world.deforming; !part.empty())
-        part.kernels->shapes.collect(part.target, kWhereItIs, volume, query, touched);
+    kernels(world.fixed, query).collect(world.fixed.target, kWhereItIs, volume, query, touched);
+    if (!world.nodes) return;
     const float at_rest = 0;
-    visit_instances(world, volume, query.filter, at_rest,
-                    [&](const Instance& instance, const Volume& local) {
-                        const Part& part = instance.part;
-                        part.kernels->shapes.collect(part.target, place_of(instance), local,
-                                                     within(query, instance), touched);
-                        return false;
-                    });
+    visit_instances(
+        world, volume, query.filter, at_rest, [&](const Instance& instance, const Volume& local) {
+            const Part& part = instance.part;
+            kernels(part, query)
+                .collect(part.target, place_of(instance), local, within(query, instance), touched);
+            return false;
+        });
 }
 
 NearestHit nearest(const World& world, const Volume& volume, const NearestQuery& query) {
     NearestHit best;
-    world.fixed.kernels->shapes.nearest(world.fixed.target, kWhereItIs, volume, query, best);
-    if (!world.moves) return best;
+    kernels(world.fixed, query).nearest(world.fixed.target, kWhereItIs, volume, query, best);
+    if (!world.nodes) return best;
     const auto look = [&](const Part& part, const Place& place, const Volume& there,
                           const NearestQuery& asked) {
         NearestHit hit = limit_of(best);
-        part.kernels->shapes.nearest(part.target, place, there, asked, hit);
+        kernels(part, query).nearest(part.target, place, there, asked, hit);
         take_first(world, hit, part.first, best);
     };
-    if (!world.deforming.empty()) look(world.deforming, kWhereItIs, volume, query);
     const float at_rest = 0;
-    Volume ball = volume;
-    ball.extent *= double(best.limit(query.radius)) / std::max(double(query.radius), 1e-300);
-    visit_instances(world, ball, query.filter, at_rest,
-                    [&](const Instance& instance, const Volume&) {
-                        look(instance.part, place_of(instance), to_local(instance, volume),
-                             within(query, instance));
+    visit_instances(world, with_radius(volume, double(best.limit(query.radius))), query.filter,
+                    at_rest, [&](const Instance& instance, const Volume& local) {
+                        look(instance.part, place_of(instance), local, within(query, instance));
                         return false;
                     });
     return best;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "trace/shapes/shapes.h"
 #include "trace/world/world.h"
 
 // Shapes in all parts of a world. By definition, triangles of an instance are taken to the world in

@@ -1,0 +1,233 @@
+// Shapes against four triangles at a time, in float: a filter in front of the canonical tests.
+// Included once for each instruction set.
+#if defined(PEREGRINE_TRACE_BVH_SHAPE_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_TRACE_BVH_SHAPE_BLOCKS_INL_H
+#undef PEREGRINE_TRACE_BVH_SHAPE_BLOCKS_INL_H
+#else
+#define PEREGRINE_TRACE_BVH_SHAPE_BLOCKS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "accel/bvh/tree.h"
+#include "trace/lanes-inl.h"
+#include "trace/shapes/volume.h"
+
+#include <algorithm>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::trace::bvh::HWY_NAMESPACE {
+
+using namespace trace::HWY_NAMESPACE;
+using accel::bvh::Block;
+
+struct Vec4 {
+    V4 x, y, z;
+};
+
+HWY_INLINE HWY_ATTR Vec4 splat(const math::Vec3d& v) {
+    return {hn::Set(k4, float(v.x)), hn::Set(k4, float(v.y)), hn::Set(k4, float(v.z))};
+}
+HWY_INLINE HWY_ATTR Vec4 operator-(const Vec4& a, const Vec4& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE HWY_ATTR V4 dot(const Vec4& a, const Vec4& b) {
+    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+}
+HWY_INLINE HWY_ATTR Vec4 cross(const Vec4& a, const Vec4& b) {
+    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+// At least the length: what a square loses in the denormal range is put in front.
+HWY_INLINE HWY_ATTR V4 length(const Vec4& v) {
+    return hn::Sqrt(hn::Add(dot(v, v), hn::Set(k4, 0x1p-130f)));
+}
+// The largest component, without its sign.
+HWY_INLINE HWY_ATTR V4 largest(const Vec4& v) {
+    return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z)));
+}
+
+struct FourTriangles {
+    Vec4 a, b, c;    // relative to an origin
+    Vec4 ab, ac, bc; // exact but for one rounding each
+    V4 size;         // the largest component of an edge
+
+    HWY_INLINE HWY_ATTR FourTriangles(const Block& block, const Vec4& origin) {
+        const auto vertex = [&](int i) HWY_ATTR __attribute__((always_inline)) {
+            return Vec4{hn::Load(k4, block.vertex[i][0]), hn::Load(k4, block.vertex[i][1]),
+                        hn::Load(k4, block.vertex[i][2])};
+        };
+        const Vec4 v0 = vertex(0), v1 = vertex(1), v2 = vertex(2);
+        ab = v1 - v0;
+        ac = v2 - v0;
+        bc = v2 - v1;
+        a = v0 - origin;
+        b = v1 - origin;
+        c = v2 - origin;
+        size = hn::Max(largest(ab), largest(ac)); // of bc: at most twice that
+    }
+};
+
+// A moving sphere or capsule, by separating axes: the planes of the triangles, the directions
+// across the path and an edge, and the path itself. An axis that keeps triangle and swept volume
+// apart by more than the error proves that there is no contact.
+//
+// With S the size of a triangle's edges, R = reach >= the largest component of a vertex relative to
+// the origin, and a path that is cut to length 2 R along each axis, e = 2^-24: a component of
+// ab x ac is at most 2 S S and off by 8 e S S, so the height of the plane is off by 60 e S S R,
+// what the path rises by 120 e S S R, what the axis does by 60 e S S R. Across an edge, which is 2
+// S or less, it is 220 e |d| S R, with |d| the largest component. The canonical test's own error, 3
+// * 2^-20 R in the distance, makes 3 * 2^-20 * 6 of the same units. The sums are below 2^-14 S S R
+// and 2^-14 |d| S R, and below 2^-17 |d| R for the path itself. 2^-100 is for what is lost in the
+// denormal range.
+class SweepFilter {
+public:
+    HWY_INLINE HWY_ATTR SweepFilter(const Volume& volume, double reach) {
+        const math::Vec3d &d = volume.direction, &axis = volume.axis;
+        origin_ = splat(volume.origin);
+        direction_ = splat(d);
+        axis_ = splat(axis);
+        const double speed = largest_component(d);
+        const double length = std::sqrt(glm::dot(d, d));
+        longest_ = float(2 * reach / speed);
+        radius_ = hn::Set(k4, float(volume.radius) * (1 + 0x1p-20f));
+        plane_error_ = hn::Set(k4, float(0x1p-14 * reach));
+        side_error_ = hn::Set(k4, float(0x1p-14 * reach * speed));
+        const double along =
+            volume.radius * length + std::fabs(glm::dot(d, axis)) + 0x1p-17 * reach * speed;
+        before_ = hn::Set(k4, float(-along));
+        along_ = float(along);
+        square_ = float(length * length);
+        is_capsule_ = axis != math::Vec3d(0);
+    }
+
+    // Those that may be touched up to t_max: bits.
+    HWY_INLINE HWY_ATTR uint32_t maybe(const Block& block, float t_max) const {
+        const FourTriangles t(block, origin_);
+        const float end = std::min(t_max, longest_);
+
+        const V4 a = dot(t.a, direction_), b = dot(t.b, direction_), c = dot(t.c, direction_);
+        const V4 first = hn::Min(a, hn::Min(b, c)), last = hn::Max(a, hn::Max(b, c));
+        auto apart = hn::Or(hn::Lt(last, before_),
+                            hn::Gt(first, hn::Set(k4, end * square_ * (1 + 0x1p-20f) + along_)));
+
+        const Vec4 normal = cross(t.ab, t.ac);
+        const V4 height = dot(normal, t.a), rate = dot(normal, direction_);
+        const V4 plane_error =
+            hn::MulAdd(plane_error_, hn::Mul(t.size, t.size), hn::Set(k4, 0x1p-100f));
+        V4 reach = hn::MulAdd(radius_, length(normal), plane_error);
+        if (is_capsule_) reach = hn::Add(reach, hn::Abs(dot(normal, axis_)));
+        apart =
+            hn::Or(apart, is_beyond(height, hn::NegMulAdd(rate, hn::Set(k4, end), height), reach));
+        if (bits_of(k4, apart) == 15) return 0;
+
+        const V4 error = hn::MulAdd(side_error_, t.size, hn::Set(k4, 0x1p-100f));
+        apart = hn::Or(apart, is_beside(t.ab, t.a, rate, error));
+        apart = hn::Or(apart, is_beside(t.bc, t.b, rate, error));
+        const Vec4 ca = {hn::Neg(t.ac.x), hn::Neg(t.ac.y), hn::Neg(t.ac.z)};
+        apart = hn::Or(apart, is_beside(ca, t.c, rate, error));
+        return ~bits_of(k4, apart) & 15;
+    }
+
+private:
+    static HWY_INLINE HWY_ATTR M4 is_beyond(V4 p, V4 q, V4 reach) {
+        return hn::Or(hn::Gt(hn::Min(p, q), reach), hn::Lt(hn::Max(p, q), hn::Neg(reach)));
+    }
+
+    // Seen along the path: the edge is at `at`, the third vertex as far from it as the plane's rate
+    // says.
+    HWY_INLINE HWY_ATTR M4 is_beside(const Vec4& edge, const Vec4& start, V4 rate, V4 error) const {
+        const Vec4 across = cross(direction_, edge);
+        const V4 at = dot(across, start);
+        V4 reach = hn::MulAdd(radius_, length(across), error);
+        if (is_capsule_) reach = hn::Add(reach, hn::Abs(dot(across, axis_)));
+        return is_beyond(at, hn::Add(at, rate), reach);
+    }
+
+    Vec4 origin_, direction_, axis_;
+    V4 radius_, plane_error_, side_error_, before_;
+    float longest_, along_, square_;
+    bool is_capsule_;
+};
+
+// The distance of a point from four triangles, in float: squares of what it is at least and at
+// most, but for an error of 2^-19 R in the distance.
+//
+// The point of an edge that is looked at is one of it, 6 e R or less from the nearest, and off by
+// 3 e R. The height of the plane is off by 60 e S S R. The edge functions of the foot, b x bc and
+// so on times the normal, are off by 192 e S S S R: within 2^-15 S S S R both are thought of, that
+// the foot is on the triangle and that it is not.
+struct FourDistances {
+    V4 low, high;
+
+    HWY_INLINE HWY_ATTR FourDistances(const FourTriangles& t, V4 reach) {
+        const V4 edges =
+            hn::Min(to_edge(t.a, t.ab), hn::Min(to_edge(t.b, t.bc), to_edge(t.a, t.ac)));
+        const Vec4 normal = cross(t.ab, t.ac);
+        const V4 square = dot(normal, normal);
+        const V4 height = hn::Abs(dot(normal, t.a));
+        const V4 more = hn::MulAdd(hn::Set(k4, 0x1p-16f), hn::Mul(hn::Mul(t.size, t.size), reach),
+                                   hn::Set(k4, 0x1p-100f));
+        const V4 doubt = hn::MulAdd(hn::Add(more, more), t.size, hn::Set(k4, 0x1p-100f));
+        const V4 inside =
+            hn::Min(dot(cross(t.a, t.ab), normal),
+                    hn::Min(dot(cross(t.b, t.bc), normal), dot(cross(t.ac, t.c), normal)));
+        const V4 near = hn::Max(hn::Sub(height, more), hn::Zero(k4));
+        const V4 plane = hn::Min(edges, hn::Div(hn::Mul(near, near), square));
+        low = hn::IfThenElse(hn::Lt(inside, hn::Neg(doubt)), edges, plane);
+        const V4 far = hn::Add(height, more);
+        const V4 foot = hn::Div(hn::Mul(far, far), square);
+        high = hn::IfThenElse(hn::Gt(inside, doubt), hn::Min(foot, edges), edges);
+    }
+
+private:
+    static HWY_INLINE HWY_ATTR V4 to_edge(const Vec4& start, const Vec4& edge) {
+        const V4 part = hn::Div(hn::Neg(dot(start, edge)), dot(edge, edge));
+        const V4 s = hn::Min(hn::Max(part, hn::Zero(k4)), hn::Set(k4, 1.0f));
+        const Vec4 p = {hn::MulAdd(s, edge.x, start.x), hn::MulAdd(s, edge.y, start.y),
+                        hn::MulAdd(s, edge.z, start.z)};
+        return dot(p, p);
+    }
+};
+
+// Triangles whose boxes meet that of a volume at rest, and whose planes the ball around its core
+// reaches.
+class RestFilter {
+public:
+    HWY_INLINE HWY_ATTR RestFilter(const Volume& volume, double reach) {
+        origin_ = splat(volume.origin);
+        axis_ = splat(volume.axis);
+        const double error = 0x1p-17 * reach;
+        extent_ = splat(volume.extent + math::Vec3d(error));
+        radius_ = hn::Set(k4, float(volume.radius) * (1 + 0x1p-20f));
+        plane_error_ = hn::Set(k4, float(0x1p-14 * reach));
+    }
+
+    HWY_INLINE HWY_ATTR uint32_t maybe(const Block& block) const {
+        const FourTriangles t(block, origin_);
+        const auto apart = hn::Or(is_beyond(t.a.x, t.b.x, t.c.x, extent_.x),
+                                  hn::Or(is_beyond(t.a.y, t.b.y, t.c.y, extent_.y),
+                                         is_beyond(t.a.z, t.b.z, t.c.z, extent_.z)));
+        if (bits_of(k4, apart) == 15) return 0;
+        const Vec4 normal = cross(t.ab, t.ac);
+        const V4 error = hn::MulAdd(plane_error_, hn::Mul(t.size, t.size), hn::Set(k4, 0x1p-100f));
+        const V4 reach =
+            hn::Add(hn::MulAdd(radius_, length(normal), error), hn::Abs(dot(normal, axis_)));
+        const auto beside = hn::Gt(hn::Abs(dot(normal, t.a)), reach);
+        return ~bits_of(k4, hn::Or(apart, beside)) & 15;
+    }
+
+private:
+    static HWY_INLINE HWY_ATTR M4 is_beyond(V4 a, V4 b, V4 c, V4 extent) {
+        return hn::Or(hn::Gt(hn::Min(a, hn::Min(b, c)), extent),
+                      hn::Lt(hn::Max(a, hn::Max(b, c)), hn::Neg(extent)));
+    }
+
+    Vec4 origin_, axis_, extent_;
+    V4 radius_, plane_error_;
+};
+
+} // namespace peregrine::trace::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
