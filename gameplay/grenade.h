@@ -21,7 +21,7 @@ struct GrenadeRules {
     double friction = 0.5;         // Coulomb's, at impacts; 0: it never turns and slides for ever
     double rolling_friction = 0.1; // deceleration over the pressure on the ground
     double settling_speed = 0.1;   // m/s: what would bounce off slower than this does not
-    Mask mask;
+    Mask mask;                     // its list must live as long as what flies
 
     double inertia() const { return friction > 0 ? 0.4 : 0; }
 };
