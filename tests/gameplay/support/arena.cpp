@@ -28,9 +28,10 @@ rt_mesh_desc describe(const std::vector<float>& positions) {
 
 } // namespace
 
-Arena::Arena(rt_isa isa) : api_(rt_get_api(RT_API_VERSION)) {
+Arena::Arena(rt_isa isa, uint32_t threads) : api_(rt_get_api(RT_API_VERSION)) {
     rt_scene_desc desc = rt_default_scene_desc();
     desc.isa = isa;
+    desc.worker_count = threads;
     const rt_result result = api_->create_scene(&desc, &scene_);
     supported_ = result != RT_ERROR_UNSUPPORTED;
     if (!supported_) return;

@@ -11,7 +11,7 @@ using gameplay::Vec3;
 // A little world of boxes and quads for the rules of the game, through the table of the library.
 class Arena {
 public:
-    explicit Arena(rt_isa isa = RT_ISA_BEST);
+    explicit Arena(rt_isa isa = RT_ISA_BEST, uint32_t threads = 1);
     ~Arena();
     Arena(const Arena&) = delete;
     Arena& operator=(const Arena&) = delete;
