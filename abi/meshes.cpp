@@ -18,11 +18,10 @@ rt_mesh add(scene::Scene& scene, const rt_mesh_desc& desc, MeshKind kind) {
     mesh.layer_mask = desc.layer_mask;
     mesh.kind = kind;
     mesh.user_data = desc.user_data;
-    if (kind == MeshKind::rigid) {
-        mesh.stand({}, scene.origin());
+    if (kind == MeshKind::rigid) mesh.stand({}, scene.origin());
+    if (kind != MeshKind::fixed)
         mesh.shape = std::allocate_shared<scene::Shape>(
             std::pmr::polymorphic_allocator<scene::Shape>(&scene.memory));
-    }
     const base::Handle handle = scene.meshes.insert(std::move(mesh));
     scene.touch_triangles(kind);
     return to_host<rt_mesh>(handle);
@@ -49,8 +48,9 @@ void update(scene::Scene& scene, rt_mesh handle, const rt_mesh_update& update) {
              handle.index, handle.generation, mesh.kind == MeshKind::fixed ? "static" : "rigid");
     require_zero(update.reserved, "rt_mesh_update.reserved");
     mesh.data = update_mesh_data(scene, *mesh.data, update);
-    if (update.positions.count != 0)
-        scene.touch_triangles(MeshKind::deforming); // the structure knows no normals
+    if (update.positions.count == 0) return; // the structure knows no normals
+    mesh.shape->geometry = nullptr;
+    mesh.extent_is_known = false;
 }
 
 rt_mesh add_instance(scene::Scene& scene, rt_mesh of) {

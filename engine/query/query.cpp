@@ -8,6 +8,7 @@
 #include "trace/world/single.h"
 
 namespace peregrine::query {
+namespace {
 
 void check_each(const Rays& rays) {
     for (uint64_t i = 0; i < rays.count; ++i) check_ray(i, rays.load(i));

@@ -29,7 +29,7 @@ struct Snapshot {
     struct Mesh {
         std::shared_ptr<const MeshData> data; // null: the slot is free
         std::shared_ptr<const MeshMaterials> materials;
-        std::shared_ptr<const Geometry> shape; // of a rigid mesh, in its own space
+        std::shared_ptr<const Geometry> shape; // of a mesh that moves, in its own space
         uint32_t placement = kNotPlaced;       // of a rigid mesh: index in `placements`
         uint32_t generation = 0;
         uint64_t user_data = 0;
@@ -50,8 +50,7 @@ struct Snapshot {
     }
     base::Isa isa() const { return world.fixed.kernels->isa; }
 
-    std::shared_ptr<const Geometry> fixed; // of all fixed meshes, and ...
-    std::shared_ptr<const Geometry> deforming;
+    std::shared_ptr<const Geometry> fixed; // of all fixed meshes
     std::shared_ptr<const MaterialSet> material_set;
     trace::World world;                 // into these and the shapes of the meshes
     base::Vector<Mesh> meshes;          // by slot
@@ -59,7 +58,7 @@ struct Snapshot {
     base::Vector<uint32_t> generations; // by slot, for hits
     base::Vector<Light> lights;
     base::Vector<Placement> placements;
-    base::Vector<trace::Instance> instances; // of rigid meshes that are not hidden
+    base::Vector<trace::Instance> instances; // of meshes that move and are not hidden
     base::Vector<accel::instances::Node> instance_nodes;
     base::Vector<InstanceAlpha> instance_alphas; // beside `instances`; empty if nothing is masked
     Environment environment;

@@ -108,15 +108,19 @@ int run(int argc, char** argv) {
     CLI::App* frame = app.add_subcommand("frame", "frames through the header");
     CLI::App* door = app.add_subcommand("door", "what a query costs beyond the bare traversal");
     CLI::App* trace = app.add_subcommand("trace", "rays of all kinds through the header");
+    CLI::App* moving = app.add_subcommand("moving", "commits of a world that moves, and its rays");
     CLI::App* queries =
         app.add_subcommand("queries", "gameplay's queries: speed and accuracy, on one thread");
+    CLI::App* grenade = app.add_subcommand("grenade", "how far a game's time step changes a throw");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
     kernels->add_option("--passes", options.passes, "Passes; medians are printed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
     kernels->add_option("--json", options.json, "Write the rows to this file as well");
-    for (CLI::App* command : {build, frame, door, trace, queries}) add_options(*command, options);
-    for (CLI::App* command : {build, frame, door, trace}) add_threads_option(*command, options);
+    for (CLI::App* command : {build, frame, door, trace, moving, queries, grenade})
+        add_options(*command, options);
+    for (CLI::App* command : {build, frame, door, trace, moving, grenade})
+        add_threads_option(*command, options);
     add_trace_options(*trace, options);
     add_query_options(*queries, options);
     add_structure_options(*build, options);
@@ -129,7 +133,7 @@ int run(int argc, char** argv) {
                      "SAH cost of a split that cuts off empty space: times 1 - this")
         ->check(CLI::Range(0.0, 1.0));
     frame->add_option("--size", options.size, "Width and height")->capture_default_str();
-    for (CLI::App* command : {frame, door, trace, queries})
+    for (CLI::App* command : {frame, door, trace, moving, queries, grenade})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
@@ -138,6 +142,8 @@ int run(int argc, char** argv) {
     const std::string rows = *build     ? peregrine::bench::run_build(options)
                              : *frame   ? peregrine::bench::run_frame(options)
                              : *trace   ? peregrine::bench::run_trace(options)
+                             : *moving  ? peregrine::bench::run_moving(options)
+                             : *grenade ? peregrine::bench::run_grenade(options)
                              : *kernels ? peregrine::bench::run_kernels(options)
                              : *queries ? peregrine::bench::run_queries(options)
                                         : peregrine::bench::run_door(options);

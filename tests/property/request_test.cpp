@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <thread>
 
@@ -87,7 +88,8 @@ protected:
         for (size_t i = 3; i < world.parts.size(); ++i) world.place(i, random_placement(random, 1));
         world.commit(std::get<0>(GetParam()));
         pin_.emplace(world.scene.snapshots);
-        for (const RaySet& set : make_ray_sets(world.triangles(), {}, {}, rays_per_set(25), 5))
+        const size_t rays = std::max<size_t>(25, rays_per_set(25)); // of each of eleven sets
+        for (const RaySet& set : make_ray_sets(world.triangles(), {}, {}, rays, 5))
             for (const Ray& ray : set.rays)
                 if (query::is_valid(ray)) rays_.push_back(ray);
     }

@@ -480,7 +480,7 @@ enum {
     RT_STRUCTURE_BIH = 3 /* builds quickly, takes little memory, traces one ray at a time */
 };
 
-/* How long to build for how much speed. The kd-tree and the BIH have one quality. */
+/* How long to build for how much speed. The kd-tree has one quality, the BIH two: fast and the rest. */
 typedef int32_t rt_build_quality;
 enum {
     RT_BUILD_BALANCED = 0,
@@ -541,16 +541,16 @@ typedef struct rt_commit_report {
     double build_ms;           /* wall time of the structure alone */
     double commit_ms;          /* wall time of the whole call */
     uint32_t light_count;
-    uint32_t rebuilt;         /* 0: no static or dynamic mesh had changed, structures were kept */
+    uint32_t rebuilt;         /* 0: no structure of a static or dynamic mesh was built */
     rt_structure structure;   /* of the static meshes; never AUTO */
     rt_build_quality quality; /* as asked for */
     uint64_t dynamic_triangle_count; /* of triangle_count: of dynamic meshes ... */
     uint64_t rigid_triangle_count;   /* ... and of rigid ones */
     uint32_t instance_count;         /* rigid meshes and instances that are not hidden */
     uint32_t static_rebuilt;         /* 1: of `rebuilt`, the structure of the static meshes ... */
-    uint32_t dynamic_rebuilt;        /* ... and that of the dynamic ones */
+    uint32_t dynamic_rebuilt;        /* ... and that of a dynamic one: each has its own */
     uint32_t reserved;
-    double dynamic_build_ms; /* wall time of the latter alone, whenever it was built */
+    double dynamic_build_ms; /* of the latter alone, each whenever it was built, added up */
 } rt_commit_report;
 
 static inline rt_commit_report rt_default_commit_report(void) {

@@ -163,13 +163,15 @@ HWY_ATTR inline void visit(const Target& target, const math::Ray& ray, Visitor& 
     visitor.counters.nodes += visit_from_near(
         target.bvh_nodes, node_ray, ray.t_min,
         t_max, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
+            constexpr uint32_t kWidth = accel::bvh::kBlockWidth;
             visitor.counters.triangles += link.count();
             const Block* block = target.bvh_blocks + link.first_block();
-            const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
-            for (; block <= last; ++block) {
+            for (uint32_t first = 0; first < link.count(); first += kWidth, ++block) {
                 BlockHits hits;
                 if (!intersect(block_ray, *block, t_max, hits)) continue;
-                for (uint32_t hit = hits.lanes; hit; hit &= hit - 1) {
+                // Without what repeats the last triangle.
+                const uint32_t filled = (1u << std::min(link.count() - first, kWidth)) - 1;
+                for (uint32_t hit = hits.lanes & filled; hit; hit &= hit - 1) {
                     const uint32_t i = uint32_t(std::countr_zero(hit));
                     if (hits.t[i] > t_max || !is_wanted(visitor, sheared, *block, i)) continue;
                     const bool back_face = hits.back_faces >> i & 1;

@@ -9,6 +9,13 @@ inline bool sees(const Filter& filter, const Instance& instance) {
     return !filter.ignores(instance.mesh) && (instance.layer_mask & filter.layer_mask) != 0;
 }
 
+// The ray as the instance's triangles are asked about it; false if nothing is left of it.
+inline bool within(const Instance& instance, const math::Ray& ray, math::Ray& local) {
+    if (instance.has_own_space) return to_local(instance.to_local, ray, local);
+    local = ray;
+    return true;
+}
+
 inline Filter filter_within(const Filter& filter, const Instance& instance) {
     Filter within = filter;
     within.layer_mask = ~0u;

@@ -33,7 +33,7 @@ public:
         uint32_t count = 0;
         math::Ray left = ray;
         while (count < most) {
-            collect(left, list, Visitor::Wants::crossings);
+            collect_crossings(left, list);
             for (const WorldHit& hit : list.hits()) store(count++, hit);
             if (!list.full() || count == most) break;
             left.t_min = list.hits().back().t;
@@ -45,7 +45,10 @@ public:
     const Counters& counters() const { return counters_; }
 
 private:
-    void collect(const math::Ray& ray, HitList& list, Visitor::Wants wants);
+    void collect_crossings(const math::Ray& ray, HitList& list);
+
+    template <class Hits>
+    void visit_parts(const math::Ray& ray, Visitor::Wants wants, Hits& hits);
 
     const World& world_;
     const Filter& filter_;

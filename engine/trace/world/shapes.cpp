@@ -11,7 +11,8 @@ using accel::instances::Node;
 constexpr Place kWhereItIs;
 
 Place place_of(const Instance& instance) {
-    return {instance.to_world, instance.mirrored, instance.mesh};
+    return instance.has_own_space ? Place{instance.to_world, instance.mirrored, instance.mesh}
+                                  : kWhereItIs;
 }
 
 // The volume in the instance's space.
@@ -22,6 +23,7 @@ Place place_of(const Instance& instance) {
 // trace/shapes/volume.h has it), and the maps there and back in double: c 2^-44 (|W| (|o| + |m|) +
 // |w| + R), where m and w are the offsets, R the largest |coordinate| of the mesh and c = |M| |W|.
 Volume to_local(const Instance& instance, const Volume& volume) {
+    if (!instance.has_own_space) return volume;
     const math::Affine& map = instance.to_local;
     Volume local;
     local.origin = map.point(volume.origin);
@@ -147,14 +149,13 @@ NearestHit limit_of(const NearestHit& best) {
 FirstHit sweep(const World& world, const Volume& volume, const SweepQuery& query) {
     FirstHit best;
     world.fixed.kernels->shapes.sweep(world.fixed.target, kWhereItIs, volume, query, best);
-    if (!world.moves) return best;
+    if (!world.nodes) return best;
     const auto look = [&](const Part& part, const Place& place, const Volume& there,
                           const SweepQuery& asked) {
         FirstHit hit = limit_of(best);
         part.kernels->shapes.sweep(part.target, place, there, asked, hit);
         take_first(world, hit, part.first, best);
     };
-    if (!world.deforming.empty()) look(world.deforming, kWhereItIs, volume, query);
     float t_max = best.limit(query.t_max);
     visit_instances(world, volume, query.filter, t_max,
                     [&](const Instance& instance, const Volume& local) {
@@ -168,10 +169,7 @@ FirstHit sweep(const World& world, const Volume& volume, const SweepQuery& query
 bool overlaps(const World& world, const Volume& volume, const OverlapQuery& query) {
     if (world.fixed.kernels->shapes.overlaps(world.fixed.target, kWhereItIs, volume, query))
         return true;
-    if (!world.moves) return false;
-    if (const Part& part = world.deforming;
-        !part.empty() && part.kernels->shapes.overlaps(part.target, kWhereItIs, volume, query))
-        return true;
+    if (!world.nodes) return false;
     const float at_rest = 0;
     return visit_instances(world, volume, query.filter, at_rest,
                            [&](const Instance& instance, const Volume& local) {
@@ -184,9 +182,7 @@ bool overlaps(const World& world, const Volume& volume, const OverlapQuery& quer
 void collect(const World& world, const Volume& volume, const OverlapQuery& query,
              Touched& touched) {
     world.fixed.kernels->shapes.collect(world.fixed.target, kWhereItIs, volume, query, touched);
-    if (!world.moves) return;
-    if (const Part& part = world.deforming; !part.empty())
-        part.kernels->shapes.collect(part.target, kWhereItIs, volume, query, touched);
+    if (!world.nodes) return;
     const float at_rest = 0;
     visit_instances(world, volume, query.filter, at_rest,
                     [&](const Instance& instance, const Volume& local) {
@@ -200,14 +196,13 @@ void collect(const World& world, const Volume& volume, const OverlapQuery& query
 NearestHit nearest(const World& world, const Volume& volume, const NearestQuery& query) {
     NearestHit best;
     world.fixed.kernels->shapes.nearest(world.fixed.target, kWhereItIs, volume, query, best);
-    if (!world.moves) return best;
+    if (!world.nodes) return best;
     const auto look = [&](const Part& part, const Place& place, const Volume& there,
                           const NearestQuery& asked) {
         NearestHit hit = limit_of(best);
         part.kernels->shapes.nearest(part.target, place, there, asked, hit);
         take_first(world, hit, part.first, best);
     };
-    if (!world.deforming.empty()) look(world.deforming, kWhereItIs, volume, query);
     const float at_rest = 0;
     Volume ball = volume;
     ball.extent *= double(best.limit(query.radius)) / std::max(double(query.radius), 1e-300);

@@ -20,17 +20,16 @@ void take_first(const World& world, Hit hit, uint32_t first, Hit& best) {
 } // namespace
 
 Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& filter) {
+    // Most rays miss all that moves: they pay for this alone.
+    const Gate gate(ray);
+    const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
+    if (entry == kNowhere) return world.fixed.kernels->closest(world.fixed.target, ray, filter);
     Hit best = world.fixed.kernels->closest(world.fixed.target, ray, filter);
     math::Ray left = ray; // what is left of it in front of the best hit
     left.t_max = std::min(ray.t_max, best.t);
-    if (const Part& part = world.deforming; !part.empty()) {
-        take_first(world, part.kernels->closest(part.target, left, filter), part.first, best);
-        left.t_max = std::min(ray.t_max, best.t);
-    }
-    if (!world.nodes) return best;
-    visit_instances(world, ray, left.t_max, [&](const Instance& instance) {
+    visit_instances(world, gate, entry, left.t_max, [&](const Instance& instance) {
         math::Ray local;
-        if (!sees(filter, instance) || !to_local(instance.to_local, left, local)) return false;
+        if (!sees(filter, instance) || !within(instance, left, local)) return false;
         const Part& part = instance.part;
         take_first(world,
                    part.kernels->closest(part.target, local, filter_within(filter, instance)),
@@ -43,13 +42,11 @@ Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& fil
 
 bool occluded_by_parts(const World& world, const math::Ray& ray, const Filter& filter) {
     if (world.fixed.kernels->occluded(world.fixed.target, ray, filter)) return true;
-    if (const Part& part = world.deforming;
-        !part.empty() && part.kernels->occluded(part.target, ray, filter))
-        return true;
-    if (!world.nodes) return false;
-    return visit_instances(world, ray, ray.t_max, [&](const Instance& instance) {
+    const Gate gate(ray);
+    const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
+    return visit_instances(world, gate, entry, ray.t_max, [&](const Instance& instance) {
         math::Ray local;
-        return sees(filter, instance) && to_local(instance.to_local, ray, local)
+        return sees(filter, instance) && within(instance, ray, local)
                && instance.part.kernels->occluded(instance.part.target, local,
                                                   filter_within(filter, instance));
     });

@@ -44,18 +44,18 @@ private:
 
 inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-// Calls visit(instance) for those that the ray may meet before `t_max`, which may shrink meanwhile,
-// roughly from front to back, until visit returns true.
+// Calls visit(instance) for those that the ray, which enters at `entry`, may meet before `t_max`,
+// which may shrink meanwhile, roughly from front to back, until visit returns true.
 template <class Visit>
-bool visit_instances(const World& world, const math::Ray& ray, const float& t_max, Visit&& visit) {
-    const Gate gate(ray);
+bool visit_instances(const World& world, const Gate& gate, double entry, const float& t_max,
+                     Visit&& visit) {
     struct Entry {
         uint32_t node;
         double t;
     };
     Entry stack[accel::instances::kMaxDepth];
     uint32_t height = 0;
-    Entry at = {0, gate.enter(world.nodes[0].extent, double(t_max))};
+    Entry at = {0, entry};
     for (;;) {
         while (at.t <= double(t_max) && at.t < kNowhere) {
             const accel::instances::Node& node = world.nodes[at.node];
