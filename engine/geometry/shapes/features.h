@@ -56,6 +56,14 @@ struct Face {
         solid = nn > kSine * kSine * (quad ? aa * bb : longest * longest);
     }
 
+    // The same one elsewhere.
+    Face moved(const Vec3d& by, double core_) const {
+        Face face = *this;
+        face.corner += by;
+        face.core = core_;
+        return face;
+    }
+
     // The part of each side, times nn, that leads to the foot of p.
     struct Place {
         double x, y;
@@ -175,25 +183,36 @@ struct FirstContact {
                  face.core + face.step * (face.place(p).y / face.nn)};
     }
 
+    // With the vertices at its ends: a cylinder that is entered beyond them is none.
     void meet(const Motion& motion, const Edge& edge) {
         const Vec3d across = glm::cross(motion.direction, edge.along);
         const double cc = glm::dot(across, across);
-        if (!(cc > kSine * kSine * (motion.dd * edge.ee))) return;
+        if (!(cc > kSine * kSine * (motion.dd * edge.ee))) {
+            meet(motion, edge.start, edge.core);
+            meet(motion, edge.start + edge.along, edge.core + edge.step);
+            return;
+        }
         const double apart = glm::dot(edge.start, across); // of the two lines, times sqrt(cc)
         if (apart * apart > motion.rr * cc) return;
         const double closest = glm::dot(glm::cross(edge.start, edge.along), across) / cc;
-        if (!(closest > 0)) return;
         const double room = std::max(0.0, motion.rr - apart * apart / cc);
-        const double when = std::max(0.0, closest - std::sqrt(room * (edge.ee / cc)));
+        const double inside = std::sqrt(room * (edge.ee / cc));
+        if (closest + inside < 0) return;
+        const double when = std::max(0.0, closest - inside);
         if (!(when < t)) return;
         const Vec3d p = when * motion.direction;
         const double s = glm::dot(p - edge.start, edge.along) / edge.ee;
-        if (!(s >= 0 && s <= 1)) return;
-        const Vec3d q = edge.start + s * edge.along;
-        *this = {when, q, p - q, edge.core + edge.step * s};
+        if (s < 0) {
+            meet(motion, edge.start, edge.core);
+        } else if (s > 1) {
+            meet(motion, edge.start + edge.along, edge.core + edge.step);
+        } else if (closest > 0) {
+            const Vec3d q = edge.start + s * edge.along;
+            *this = {when, q, p - q, edge.core + edge.step * s};
+        }
     }
 
-    void meet(const Motion& motion, const Vec3d& vertex, double vertex_core = 0) {
+    void meet(const Motion& motion, const Vec3d& vertex, double vertex_core) {
         const double along = glm::dot(vertex, motion.direction);
         if (!(along > 0)) return;
         const Vec3d across = glm::cross(vertex, motion.direction);
