@@ -113,6 +113,14 @@ struct Edge {
 
     Edge(const Vec3d& start_, const Vec3d& along_, double core_ = 0, double step_ = 0)
         : start(start_), along(along_), ee(glm::dot(along_, along_)), core(core_), step(step_) {}
+
+    // A parallel one.
+    Edge moved(const Vec3d& by, double core_) const {
+        Edge edge = *this;
+        edge.start += by;
+        edge.core = core_;
+        return edge;
+    }
 };
 
 // The nearest point to the origin so far.
@@ -155,6 +163,15 @@ struct Motion {
           rr(radius_ * radius_) {}
 };
 
+// The motion seen along an edge; the same for all parallel ones of a length.
+struct Across {
+    Vec3d across;
+    double cc;
+
+    Across(const Motion& motion, const Vec3d& along)
+        : across(glm::cross(motion.direction, along)), cc(glm::dot(across, across)) {}
+};
+
 // The first contact so far.
 struct FirstContact {
     double t = std::numeric_limits<double>::infinity();
@@ -185,8 +202,10 @@ struct FirstContact {
 
     // With the vertices at its ends: a cylinder that is entered beyond them is none.
     void meet(const Motion& motion, const Edge& edge) {
-        const Vec3d across = glm::cross(motion.direction, edge.along);
-        const double cc = glm::dot(across, across);
+        meet(motion, edge, Across(motion, edge.along));
+    }
+    void meet(const Motion& motion, const Edge& edge, const Across& seen) {
+        const auto& [across, cc] = seen;
         if (!(cc > kSine * kSine * (motion.dd * edge.ee))) {
             meet(motion, edge.start, edge.core);
             meet(motion, edge.start + edge.along, edge.core + edge.step);

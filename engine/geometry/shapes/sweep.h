@@ -64,7 +64,17 @@ inline FirstContact meet_prism(const Motion& motion, const Corners& corners, con
     if (first.t < std::numeric_limits<double>::infinity()) return first;
     first.meet(motion, face.moved(-outer * axis, -outer));
     for_each_side(corners, axis, [&](const Face& side) { first.meet(motion, side); });
-    for_each_edge(corners, axis, [&](const Edge& edge) { first.meet(motion, edge); });
+    for (const Edge& edge : {Edge(corners.a, face.side0), Edge(corners.b, corners.c - corners.b),
+                             Edge(corners.a, face.side1)}) {
+        const Across across(motion, edge.along);
+        for (const double core : {-1.0, 1.0})
+            first.meet(motion, edge.moved(core * axis, core), across);
+    }
+    const Edge lateral(corners.a - axis, 2.0 * axis, -1, 2);
+    const Across across(motion, lateral.along);
+    first.meet(motion, lateral, across);
+    first.meet(motion, lateral.moved(face.side0, -1), across);
+    first.meet(motion, lateral.moved(face.side1, -1), across);
     return first;
 }
 

@@ -104,21 +104,34 @@ inline bool is_plain(const Filter& filter, const Place& place) {
     return filter.trivial() && !place.to_world;
 }
 
+inline Volume thinned(const Volume& volume, double by) {
+    Volume thinner = volume;
+    thinner.radius = std::max(0.0, volume.radius - by);
+    thinner.extent -= math::Vec3d(volume.radius - thinner.radius);
+    return thinner;
+}
+
 HWY_ATTR void sweep_shape(const Target& target, const Place& place, const Volume& volume,
                           const SweepQuery& query, FirstHit& best) {
     if (target.bounds.empty()) return;
     const double reach = reach_of(target.bounds, volume);
     if (!fits_filters(volume, reach)) [[unlikely]]
         return kPlainShapesOfBlocks.sweep(target, place, volume, query, best);
-    const MovingGate gate(volume, reach);
-    const SweepFilter filter(volume);
+    MovingGate gate(volume, reach);
+    SweepFilter filter(volume);
     const uint32_t sure = is_plain(query.filter, place) ? 15 : 0;
     Candidates candidates;
     Mailbox mailbox;
     float t_max = best.limit(query.t_max);
-    const auto decide = [&](const Block& block, uint32_t lane) {
+    const auto decide = [&](const Block& block, uint32_t lane) HWY_ATTR {
+        const float depth = best.depth;
         judge(query, place, vertices_of(block, lane), target.infos, block.triangle[lane], best);
         t_max = std::min(t_max, best.t);
+        if (!(best.depth > depth) || place.to_world) return;
+        // What is to be found now is as deep: a thinner shape at the start finds it.
+        const Volume thinner = thinned(volume, double(best.depth) * (1 - 0x1p-20));
+        gate = MovingGate(thinner, reach);
+        filter = SweepFilter(thinner);
     };
     SweepFilter::Findings found;
     const auto look = [&](const Block& block, uint32_t lanes) HWY_ATTR
@@ -129,9 +142,13 @@ HWY_ATTR void sweep_shape(const Target& target, const Place& place, const Volume
             const auto lane = uint32_t(std::countr_zero(open));
             if (found.earliest[lane] > t_max) continue;
             if (certain >> lane & 1) t_max = std::min(t_max, found.latest[lane]);
-            if (candidates.is_full()) candidates.drop_beyond(t_max);
-            if (candidates.is_full()) candidates.settle(t_max, decide);
-            candidates.add(block, lane, found.earliest[lane]);
+            if (found.earliest[lane] > 0) {
+                if (candidates.is_full()) candidates.drop_beyond(t_max);
+                if (candidates.is_full()) candidates.settle(t_max, decide);
+                candidates.add(block, lane, found.earliest[lane]);
+            } else if (mailbox.takes(block.triangle[lane])) {
+                decide(block, lane); // behind an initial contact there is nothing to look for
+            }
         }
         return false;
     };
