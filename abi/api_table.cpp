@@ -37,6 +37,12 @@ constexpr rt_api kApi = {
     .set_mesh_transform = rt_set_mesh_transform,
     .set_mesh_layer_mask = rt_set_mesh_layer_mask,
     .set_mesh_hidden = rt_set_mesh_hidden,
+    .set_world_origin = rt_set_world_origin,
+    .hold_snapshot = rt_hold_snapshot,
+    .release_snapshot = rt_release_snapshot,
+    .sweep_shapes = rt_sweep_shapes,
+    .overlap_shapes = rt_overlap_shapes,
+    .find_nearest = rt_find_nearest,
 };
 
 constexpr const char* kResultNames[] = {

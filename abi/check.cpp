@@ -45,6 +45,11 @@ void require_enum(int32_t value, int32_t last, const char* field) {
         fail(Code::invalid_argument, "%s is %d; the known values are 0 to %d", field, value, last);
 }
 
+void require_bits(uint32_t value, uint32_t known, const char* field) {
+    if (value & ~known)
+        fail(Code::invalid_argument, "%s is %#x; the known bits are %#x", field, value, known);
+}
+
 void require_extent(uint32_t value, uint32_t largest, const char* field) {
     if (value == 0) fail(Code::invalid_argument, "%s is 0; it must be at least 1", field);
     if (value > largest) fail(Code::limit, "%s is %u; the limit is %u", field, value, largest);

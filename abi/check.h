@@ -11,8 +11,9 @@ namespace peregrine::abi {
 
 void require_pointer(const void* pointer, const char* name);
 void require_zero(uint32_t reserved, const char* field);
-void require_flag(uint32_t value, const char* field);                     // 0 or 1
-void require_enum(int32_t value, int32_t last, const char* field);        // 0 to last
+void require_flag(uint32_t value, const char* field);              // 0 or 1
+void require_enum(int32_t value, int32_t last, const char* field); // 0 to last
+void require_bits(uint32_t value, uint32_t known, const char* field);
 void require_extent(uint32_t value, uint32_t largest, const char* field); // 1 to largest
 void require_finite(float value, const char* field);
 void require_finite(std::span<const float> values, const char* field);

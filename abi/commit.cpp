@@ -110,18 +110,16 @@ void report_tree(const scene::Geometry& geometry, rt_commit_report& out) {
 rt_commit_report to_report(const scene::CommitReport& in) {
     rt_commit_report out = rt_default_commit_report();
     out.left_out = scene::kAllFeatures & ~in.features;
-    out.dynamic_triangle_count = in.deforming->infos.size();
-    out.rigid_triangle_count = in.shape_triangles;
+    out.dynamic_triangle_count = in.deforming_triangles;
+    out.rigid_triangle_count = in.rigid_triangles;
     out.triangle_count =
         in.fixed->infos.size() + out.dynamic_triangle_count + out.rigid_triangle_count;
     out.degenerate_count = in.degenerate_count;
     out.non_finite_count = in.non_finite_count;
     report_tree(*in.fixed, out);
-    out.bytes_triangles += in.shape_bytes;
-    for (const scene::Geometry* part : {in.fixed.get(), in.deforming.get()})
-        out.bytes_triangles += part->infos.size() * sizeof(geometry::TriangleInfo)
-                               + part->triangles.size() * sizeof(geometry::Triangle);
-    out.dynamic_build_ms = in.deforming->bih.report.build_ms;
+    out.bytes_triangles += in.shape_bytes + in.fixed->infos.size() * sizeof(geometry::TriangleInfo)
+                           + in.fixed->triangles.size() * sizeof(geometry::Triangle);
+    out.dynamic_build_ms = in.deforming_build_ms;
     out.bytes_attributes = in.bytes_attributes;
     out.bytes_textures = in.bytes_textures;
     out.commit_ms = in.commit_ms;

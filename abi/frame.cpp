@@ -126,12 +126,13 @@ rt_frame_stats to_stats(const render::FrameStats& in) {
     return out;
 }
 
-render::FrameStats render(scene::Scene& scene, const render::Camera& camera,
-                          const render::Frame& frame) {
-    const scene::SnapshotStore::Pin pin(scene.snapshots);
+render::FrameStats render(scene::Scene& scene, render::Camera camera, const render::Frame& frame,
+                          rt_snapshot held) {
+    const auto pin = pin_snapshot(scene.snapshots, held);
+    const scene::Snapshot& snapshot = require_snapshot(pin, held);
+    camera.position -= snapshot.origin;
     render::FrameStats stats;
-    render::render_frame(require_snapshot(pin), camera, frame, scene.scheduler, &scene.memory,
-                         &stats);
+    render::render_frame(snapshot, camera, frame, scene.scheduler, &scene.recycled, &stats);
     return stats;
 }
 
@@ -146,7 +147,8 @@ rt_result rt_render_frame(rt_scene scene, const rt_camera* camera, const rt_fram
         HostScene& host = find_scene(scene);
         const Output output(out_stats);
         const auto engine_camera = to_camera(read_struct(camera));
-        const auto engine_frame = to_frame(read_struct(frame));
-        output.write(to_stats(render(host.scene, engine_camera, engine_frame)));
+        const rt_frame_desc fields = read_struct(frame);
+        const auto engine_frame = to_frame(fields);
+        output.write(to_stats(render(host.scene, engine_camera, engine_frame, fields.snapshot)));
     });
 }

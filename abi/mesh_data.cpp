@@ -143,10 +143,10 @@ void read_triangles(const rt_mesh_desc& desc, uint64_t vertices, MeshSurface& ou
     }
 }
 
-std::shared_ptr<MeshData> allocate(scene::Scene& scene,
-                                   std::shared_ptr<const MeshSurface> surface) {
-    return std::allocate_shared<MeshData>(std::pmr::polymorphic_allocator<MeshData>(&scene.memory),
-                                          std::move(surface), &scene.memory);
+std::shared_ptr<MeshData> allocate(std::shared_ptr<const MeshSurface> surface,
+                                   base::Memory* memory) {
+    return std::allocate_shared<MeshData>(std::pmr::polymorphic_allocator<MeshData>(memory),
+                                          std::move(surface), memory);
 }
 
 } // namespace
@@ -172,7 +172,7 @@ MeshDataPointer make_mesh_data(scene::Scene& scene, const rt_mesh_desc& desc) {
     read_materials(scene, desc, *surface);
     copy(texcoords, surface->texcoords, clean_texcoord);
     copy(texcoords1, surface->texcoords1, clean_texcoord);
-    const auto data = allocate(scene, surface);
+    const auto data = allocate(surface, &scene.memory);
     copy(positions, data->positions, as_it_is);
     copy(normals, data->normals, clean_direction<math::Vec3>);
     copy(tangents, data->tangents, clean_tangent);
@@ -188,7 +188,7 @@ MeshDataPointer update_mesh_data(scene::Scene& scene, const MeshData& old,
     const auto tangents =
         per_vertex<math::Vec4>(update.tangents, "rt_mesh_update.tangents", vertices);
 
-    const auto data = allocate(scene, old.surface);
+    const auto data = allocate(old.surface, &scene.recycled);
     if (positions.absent())
         data->positions = old.positions;
     else

@@ -18,7 +18,8 @@ rt_mesh add(scene::Scene& scene, const rt_mesh_desc& desc, MeshKind kind) {
     mesh.layer_mask = desc.layer_mask;
     mesh.kind = kind;
     mesh.user_data = desc.user_data;
-    if (kind == MeshKind::rigid)
+    if (kind == MeshKind::rigid) mesh.stand({}, scene.origin());
+    if (kind != MeshKind::fixed)
         mesh.shape = std::allocate_shared<scene::Shape>(
             std::pmr::polymorphic_allocator<scene::Shape>(&scene.memory));
     const base::Handle handle = scene.meshes.insert(std::move(mesh));
@@ -47,8 +48,9 @@ void update(scene::Scene& scene, rt_mesh handle, const rt_mesh_update& update) {
              handle.index, handle.generation, mesh.kind == MeshKind::fixed ? "static" : "rigid");
     require_zero(update.reserved, "rt_mesh_update.reserved");
     mesh.data = update_mesh_data(scene, *mesh.data, update);
-    if (update.positions.count != 0)
-        scene.touch_triangles(MeshKind::deforming); // the structure knows no normals
+    if (update.positions.count == 0) return; // the structure knows no normals
+    mesh.shape->geometry = nullptr;
+    mesh.extent_is_known = false;
 }
 
 rt_mesh add_instance(scene::Scene& scene, rt_mesh of) {
@@ -56,26 +58,24 @@ rt_mesh add_instance(scene::Scene& scene, rt_mesh of) {
     return to_host<rt_mesh>(scene.meshes.insert(std::move(instance)));
 }
 
-scene::Placement to_placement(const rt_transform& transform) {
+math::Affine to_affine(const rt_transform& transform) {
     for (int i = 0; i < 12; ++i)
         if (!(std::fabs(transform.m[i]) <= 1e30))
             fail(Code::invalid_argument,
                  "rt_transform.m[%d] is %g; it must be finite and at most 1e30 in magnitude", i,
                  transform.m[i]);
-    scene::Placement placement;
+    math::Affine affine;
     for (int row = 0; row < 3; ++row) {
         const double* m = transform.m + 4 * row;
-        for (int k = 0; k < 3; ++k) placement.to_world.column[k][row] = m[k];
-        placement.to_world.offset[row] = m[3];
+        for (int k = 0; k < 3; ++k) affine.column[k][row] = m[k];
+        affine.offset[row] = m[3];
     }
-    placement.to_local = math::inverse(placement.to_world);
-    placement.condition = placement.to_world.norm() * placement.to_local.norm();
+    const scene::Placement placement = scene::place(affine, math::Vec3d(0));
     if (!(placement.condition <= 1e9) || !(glm::length(placement.to_local.offset) <= 1e300))
         fail(Code::invalid_argument,
              "the rt_transform has no inverse, or stretches one direction more than 1e9 times as "
              "much as another");
-    placement.mirrored = math::determinant(placement.to_world) < 0;
-    return placement;
+    return affine;
 }
 
 void set_hidden(scene::Scene& scene, rt_mesh handle, uint32_t hidden) {
@@ -130,10 +130,10 @@ rt_result rt_update_dynamic_mesh(rt_scene scene, rt_mesh mesh,
 rt_result rt_set_mesh_transform(rt_scene scene, rt_mesh mesh,
                                 const rt_transform* transform) noexcept {
     return guard([&] {
-        auto& rigid = find_rigid(find_scene(scene).scene, mesh);
+        HostScene& host = find_scene(scene);
+        auto& rigid = find_rigid(host.scene, mesh);
         require_pointer(transform, "transform");
-        rigid.placement = to_placement(*transform);
-        rigid.extent_is_known = false;
+        rigid.stand(to_affine(*transform), host.scene.origin());
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include "guard.h"
 #include "query_desc.h"
+#include "query_options.h"
 #include "query_records.h"
 #include "read_struct.h"
 #include "require_snapshot.h"
@@ -15,12 +16,14 @@ bool is_plain(const rt_query_desc& desc) {
     const uint32_t unusual = uint32_t(desc.faces) | desc.flags | ~desc.layer_mask
                              | desc.ignore_mesh.generation | desc.ray_stride | desc.result_stride
                              | (uint32_t(desc.coherence) & ~uint32_t(RT_COHERENCE_INCOHERENT));
-    const auto arrays =
-        reinterpret_cast<uintptr_t>(desc.ray_arrays) | reinterpret_cast<uintptr_t>(desc.hit_arrays);
-    return desc.ray_count == 1 && (unusual | arrays) == 0;
+    const auto pointers =
+        reinterpret_cast<uintptr_t>(desc.ray_arrays) | reinterpret_cast<uintptr_t>(desc.hit_arrays)
+        | reinterpret_cast<uintptr_t>(desc.options) | reinterpret_cast<uintptr_t>(desc.surfaces);
+    return desc.ray_count == 1 && (unusual | pointers) == 0;
 }
 
-// Calls trace(snapshot, ray) if there is a snapshot and a ray in its place.
+// Calls trace(snapshot, ray) if there is a snapshot, at the world's own origin, and a ray in its
+// place.
 template <class Trace>
 bool with_ray(const HostScene& host, const rt_query_desc& desc, Trace&& trace) {
     // In place: a copy in wide words would wait for the narrow stores of a host that has just put
@@ -28,7 +31,7 @@ bool with_ray(const HostScene& host, const rt_query_desc& desc, Trace&& trace) {
     if (!desc.rays || reinterpret_cast<uintptr_t>(desc.rays) % alignof(math::Ray) != 0)
         return false;
     const scene::SnapshotStore::Pin pin(host.scene.snapshots);
-    if (!pin.get()) return false;
+    if (!pin.get() || pin.get()->displaced) return false;
     trace(*pin.get(), *reinterpret_cast<const math::Ray*>(desc.rays));
     return true;
 }
@@ -48,22 +51,43 @@ bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
 }
 
 // Apart from the short way, so that its registers and stack cost that one nothing.
-[[gnu::noinline]] void trace_any(const HostScene& host, const rt_query_desc& desc) {
-    const query::Selection selection = to_selection(desc);
-    if (desc.ray_count == 0) return;
-    const query::Rays rays = to_rays(desc);
-    if (desc.kind == RT_QUERY_CLOSEST) {
-        const query::Hits hits = to_hits(desc);
-        const scene::SnapshotStore::Pin pin(host.scene.snapshots);
-        query::closest_hits(require_snapshot(pin), rays, selection, hits);
-    } else {
-        const query::Strided<uint8_t> occluded = to_occluded(desc);
-        const scene::SnapshotStore::Pin pin(host.scene.snapshots);
-        query::occlusion(require_snapshot(pin), rays, selection, occluded);
+[[gnu::noinline]] void trace_any(HostScene& host, const rt_query_desc& desc) {
+    const QueryOptions options(desc.options);
+    trace::Counters counters;
+    query::Request request;
+    request.selection = to_selection(desc);
+    options.select(request.selection);
+    if (desc.flags & RT_QUERY_USE_THREADS) request.scheduler = &host.scene.scheduler;
+    if (options.wants_stats()) request.counters = &counters;
+    if (desc.ray_count > 0) {
+        query::Rays rays = to_rays(desc);
+        const auto pin = pin_snapshot(host.scene.snapshots, options.snapshot());
+        const auto snapshot = [&]() -> const scene::Snapshot& {
+            return require_snapshot(pin, options.snapshot());
+        };
+        const auto ask = [&](auto&& query, const auto&... results) {
+            rays.origin = options.origin_in(snapshot());
+            query(snapshot(), rays, request, results...);
+        };
+        switch (desc.kind) {
+        case RT_QUERY_CLOSEST:
+            ask(query::closest_hits, to_hits(desc), to_surfaces(desc, desc.ray_count));
+            break;
+        case RT_QUERY_ANY:
+            ask(query::occlusion, to_occluded(desc));
+            break;
+        case RT_QUERY_ALL:
+            ask(query::all_hits, to_hit_lists(desc));
+            break;
+        case RT_QUERY_COUNT:
+            ask(query::count_hits, to_counts(desc));
+            break;
+        }
     }
+    options.write_stats(counters);
 }
 
-[[gnu::noinline]] void trace_read(const HostScene& host, const rt_query_desc* desc) {
+[[gnu::noinline]] void trace_read(HostScene& host, const rt_query_desc* desc) {
     trace_any(host, read_struct(desc));
 }
 
@@ -75,7 +99,7 @@ using namespace peregrine::abi;
 
 rt_result rt_trace_query(rt_scene scene, const rt_query_desc* desc) noexcept {
     return guard([&] {
-        const HostScene& host = find_scene(scene);
+        HostScene& host = find_scene(scene);
         if (!desc || desc->struct_size != sizeof *desc) [[unlikely]]
             trace_read(host, desc);
         else if (!trace_plain(host, *desc))

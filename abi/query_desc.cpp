@@ -59,13 +59,11 @@ query::HitArrays to_arrays(const rt_hit_arrays& in, uint64_t count) {
 } // namespace
 
 query::Selection to_selection(const rt_query_desc& desc) {
-    require_enum(desc.kind, RT_QUERY_ANY, "rt_query_desc.kind");
+    require_enum(desc.kind, RT_QUERY_COUNT, "rt_query_desc.kind");
     require_enum(desc.faces, RT_FACES_BACK, "rt_query_desc.faces");
     require_enum(desc.coherence, RT_COHERENCE_INCOHERENT, "rt_query_desc.coherence");
-    if (desc.flags & ~uint32_t(RT_QUERY_ALPHA_TEST))
-        base::fail(base::Code::invalid_argument,
-                   "rt_query_desc.flags is %#x; the known bits are %#x", desc.flags,
-                   unsigned(RT_QUERY_ALPHA_TEST));
+    require_bits(desc.flags, RT_QUERY_ALPHA_TEST | RT_QUERY_USE_THREADS, "rt_query_desc.flags");
+    require_zero(desc.reserved, "rt_query_desc.reserved");
     query::Selection selection;
     selection.faces = trace::Faces(desc.faces);
     selection.layer_mask = desc.layer_mask;
@@ -83,6 +81,36 @@ query::Rays to_rays(const rt_query_desc& desc) {
     const auto records = strided<math::Ray>(desc.rays, desc.ray_count, desc.ray_stride,
                                             "rt_query_desc.rays", "rt_query_desc.ray_stride");
     return {desc.ray_count, records.data, records.stride, {}};
+}
+
+query::Surfaces to_surfaces(const rt_query_desc& desc, uint64_t count) {
+    if (!desc.surfaces) return {};
+    if (!desc.hits)
+        base::fail(
+            base::Code::invalid_argument,
+            "rt_query_desc.surfaces is given, but hits is null: they lie beside its records");
+    require_bits(desc.surface_fields, RT_SURFACE_ALL, "rt_query_desc.surface_fields");
+    const auto records =
+        strided<query::Surface>(desc.surfaces, count, desc.surface_stride, "rt_query_desc.surfaces",
+                                "rt_query_desc.surface_stride");
+    return {records.data, records.stride, desc.surface_fields};
+}
+
+query::HitLists to_hit_lists(const rt_query_desc& desc) {
+    if (desc.max_hits == 0)
+        base::fail(base::Code::invalid_argument,
+                   "rt_query_desc.max_hits is 0; RT_QUERY_ALL needs room for a hit");
+    if (desc.ray_count > UINT64_MAX / desc.max_hits)
+        base::fail(base::Code::limit,
+                   "rt_query_desc.ray_count times max_hits is larger than the address space");
+    const uint64_t count = desc.ray_count * desc.max_hits;
+    const auto hits = strided<query::Hit>(desc.hits, count, desc.result_stride,
+                                          "rt_query_desc.hits", "rt_query_desc.result_stride");
+    return {hits.data, hits.stride, desc.max_hits, to_counts(desc), to_surfaces(desc, count)};
+}
+
+query::Strided<uint32_t> to_counts(const rt_query_desc& desc) {
+    return strided<uint32_t>(desc.hit_counts, desc.ray_count, 0, "rt_query_desc.hit_counts", "");
 }
 
 query::Hits to_hits(const rt_query_desc& desc) {

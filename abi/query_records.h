@@ -4,6 +4,7 @@
 #include "peregrine/rt.h"
 #include "query/query.h"
 #include "query/resolve.h"
+#include "query/shapes.h"
 
 #include <cstddef>
 
@@ -37,6 +38,48 @@ PEREGRINE_SAME_PLACE(rt_surface, texcoord, query::Surface, texcoord);
 PEREGRINE_SAME_PLACE(rt_surface, material, query::Surface, material);
 PEREGRINE_SAME_PLACE(rt_surface, material_user_data, query::Surface, material_user_data);
 PEREGRINE_SAME_PLACE(rt_surface, mesh_user_data, query::Surface, mesh_user_data);
+
+static_assert(sizeof(rt_sweep) == sizeof(query::Sweep));
+PEREGRINE_SAME_PLACE(rt_sweep, center, query::Sweep, center);
+PEREGRINE_SAME_PLACE(rt_sweep, radius, query::Sweep, radius);
+PEREGRINE_SAME_PLACE(rt_sweep, axis, query::Sweep, axis);
+PEREGRINE_SAME_PLACE(rt_sweep, t_max, query::Sweep, t_max);
+PEREGRINE_SAME_PLACE(rt_sweep, direction, query::Sweep, direction);
+PEREGRINE_SAME_PLACE(rt_sweep, reserved, query::Sweep, reserved);
+
+static_assert(sizeof(rt_sweep_hit) == sizeof(query::SweepHit));
+PEREGRINE_SAME_PLACE(rt_sweep_hit, t, query::SweepHit, t);
+PEREGRINE_SAME_PLACE(rt_sweep_hit, point, query::SweepHit, point);
+PEREGRINE_SAME_PLACE(rt_sweep_hit, normal, query::SweepHit, normal);
+PEREGRINE_SAME_PLACE(rt_sweep_hit, depth, query::SweepHit, depth);
+PEREGRINE_SAME_PLACE(rt_sweep_hit, triangle, query::SweepHit, triangle);
+PEREGRINE_SAME_PLACE(rt_sweep_hit, mesh, query::SweepHit, mesh);
+PEREGRINE_SAME_PLACE(rt_sweep_hit, initial_contact, query::SweepHit, initial_contact);
+
+static_assert(sizeof(rt_shape) == sizeof(query::Shape));
+PEREGRINE_SAME_PLACE(rt_shape, center, query::Shape, center);
+PEREGRINE_SAME_PLACE(rt_shape, radius, query::Shape, radius);
+PEREGRINE_SAME_PLACE(rt_shape, extent, query::Shape, extent);
+PEREGRINE_SAME_PLACE(rt_shape, kind, query::Shape, kind);
+PEREGRINE_SAME_PLACE(rt_shape, rotation, query::Shape, rotation);
+
+static_assert(sizeof(rt_overlap) == sizeof(query::OverlapHit));
+PEREGRINE_SAME_PLACE(rt_overlap, mesh, query::OverlapHit, mesh);
+PEREGRINE_SAME_PLACE(rt_overlap, triangle, query::OverlapHit, triangle);
+PEREGRINE_SAME_PLACE(rt_overlap, reserved, query::OverlapHit, reserved);
+
+static_assert(sizeof(rt_point) == sizeof(query::Point));
+PEREGRINE_SAME_PLACE(rt_point, position, query::Point, position);
+PEREGRINE_SAME_PLACE(rt_point, radius, query::Point, radius);
+
+static_assert(sizeof(rt_nearest) == sizeof(query::NearestPoint));
+PEREGRINE_SAME_PLACE(rt_nearest, distance, query::NearestPoint, distance);
+PEREGRINE_SAME_PLACE(rt_nearest, point, query::NearestPoint, point);
+PEREGRINE_SAME_PLACE(rt_nearest, normal, query::NearestPoint, normal);
+PEREGRINE_SAME_PLACE(rt_nearest, u, query::NearestPoint, u);
+PEREGRINE_SAME_PLACE(rt_nearest, v, query::NearestPoint, v);
+PEREGRINE_SAME_PLACE(rt_nearest, triangle, query::NearestPoint, triangle);
+PEREGRINE_SAME_PLACE(rt_nearest, mesh, query::NearestPoint, mesh);
 
 static_assert(offsetof(rt_mesh, index) == offsetof(base::Handle, index));
 static_assert(offsetof(rt_mesh, generation) == offsetof(base::Handle, generation));

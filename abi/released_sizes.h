@@ -34,9 +34,14 @@ PEREGRINE_RELEASED(rt_commit_desc, 32);
 PEREGRINE_RELEASED(rt_commit_report, 152, 192);
 PEREGRINE_RELEASED(rt_ray_arrays, 72);
 PEREGRINE_RELEASED(rt_hit_arrays, 56);
-PEREGRINE_RELEASED(rt_query_desc, 88);
+PEREGRINE_RELEASED(rt_query_stats, 32);
+PEREGRINE_RELEASED(rt_query_options, 80);
+PEREGRINE_RELEASED(rt_query_desc, 88, 128);
+PEREGRINE_RELEASED(rt_sweep_desc, 64);
+PEREGRINE_RELEASED(rt_overlap_desc, 80);
+PEREGRINE_RELEASED(rt_nearest_desc, 64);
 PEREGRINE_RELEASED(rt_camera, 56);
-PEREGRINE_RELEASED(rt_frame_desc, 120);
+PEREGRINE_RELEASED(rt_frame_desc, 120, 128);
 PEREGRINE_RELEASED(rt_frame_stats, 40);
 PEREGRINE_RELEASED(rt_scene_stats, 64);
 

@@ -17,6 +17,6 @@ rt_result rt_resolve_hits(rt_scene scene, const rt_hit* hits, uint64_t count, ui
         const auto out = strided<query::Surface>(out_surfaces, count, surface_stride,
                                                  "out_surfaces", "surface_stride");
         const scene::SnapshotStore::Pin pin(host.scene.snapshots);
-        query::resolve(require_snapshot(pin), in, out);
+        query::resolve(require_snapshot(pin), in, {out.data, out.stride});
     });
 }

@@ -4,6 +4,8 @@
 #include "read_struct.h"
 #include "scene_table.h"
 
+#include <cmath>
+
 namespace peregrine::abi {
 namespace {
 
@@ -72,6 +74,18 @@ rt_result rt_create_scene(const rt_scene_desc* desc, rt_scene* out_scene) noexce
 
 rt_result rt_destroy_scene(rt_scene scene) noexcept {
     return guard([&] { destroy(take_scene(scene)); });
+}
+
+rt_result rt_set_world_origin(rt_scene scene, const double* origin) noexcept {
+    return guard([&] {
+        HostScene& host = find_scene(scene);
+        require_pointer(origin, "origin");
+        for (int k = 0; k < 3; ++k)
+            if (!(std::fabs(origin[k]) <= 1e30))
+                base::fail(base::Code::invalid_argument,
+                           "origin[%d] is %g; it must be at most 1e30 in magnitude", k, origin[k]);
+        host.scene.set_origin({origin[0], origin[1], origin[2]});
+    });
 }
 
 rt_result rt_get_scene_stats(rt_scene scene, rt_scene_stats* out_stats) noexcept {

@@ -9,6 +9,13 @@ namespace host {
 
 namespace {
 
+std::optional<glm::vec3> unit_axis(const glm::dvec4& axis) {
+    const glm::dvec3 v(axis);
+    const double length = glm::length(v);
+    if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
+    return glm::vec3(v / length);
+}
+
 Viewpoint frame_bounds(const Bounds& bounds) {
     Viewpoint view;
     view.name = "bounds";
@@ -21,6 +28,19 @@ Viewpoint frame_bounds(const Bounds& bounds) {
 }
 
 } // namespace
+
+std::optional<Viewpoint> look_along(const glm::dmat4& world) {
+    const auto forward = unit_axis(-world[2]);
+    const auto up = unit_axis(world[1]);
+    Viewpoint view;
+    view.position = glm::dvec3(world[3]);
+    const bool finite = std::isfinite(view.position.x + view.position.y + view.position.z);
+    if (!forward || !up || !finite) return std::nullopt;
+    if (glm::length(glm::cross(*forward, *up)) < 1e-3f) return std::nullopt;
+    view.forward = *forward;
+    view.up = *up;
+    return view;
+}
 
 std::vector<Viewpoint> usable_cameras(const Level& level) {
     if (!level.cameras.empty()) return level.cameras;

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "level.h"
 
 namespace host {
+
+// From a node's place: along its -Z with +Y up. Nothing if its transform is flat or not finite.
+std::optional<Viewpoint> look_along(const glm::dmat4& world);
 
 // The level's cameras, or one that frames its bounds: never empty.
 std::vector<Viewpoint> usable_cameras(const Level& level);

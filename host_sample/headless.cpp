@@ -14,6 +14,7 @@ namespace {
 
 constexpr uint32_t flight_frames = 24;
 constexpr double flight_step = 0.2; // seconds that a frame of the flight stands for
+constexpr double still_step = 1.0 / 30.0;
 
 class PictureMaker {
 public:
@@ -56,11 +57,18 @@ void say_result(const Session& session, const std::string& where) {
               << session.log.mrays_per_second() << " million rays a second)\n";
 }
 
+// The first frame shows --time, which was committed before.
+void advance(Session& session, uint32_t frame, double step) {
+    const Options& options = session.options;
+    if (frame > 0) session.show_moment(options.time + frame * options.time_step.value_or(step));
+}
+
 void run_still(Session& session, uint32_t frames, const std::optional<NumberedName>& numbered) {
     PictureMaker maker(session);
-    maker.expose(session.cameras[session.camera]);
+    maker.expose(session.viewpoint());
     for (uint32_t i = 0; i < frames; ++i) {
-        maker.render(session.cameras[session.camera]);
+        advance(session, i, still_step);
+        maker.render(session.viewpoint());
         if (numbered) maker.write(numbered->at(i));
         maker.show_progress(i + 1, frames);
     }
@@ -74,12 +82,15 @@ void run_flight(Session& session, const std::string& pattern) {
     const auto numbered = NumberedName::parse(pattern);
     if (!numbered) throw InputError("the picture name " + pattern + " has no place for a number");
     const uint32_t frames = session.options.frames.value_or(flight_frames);
-    const Flight flight(session.cameras, session.level.bounds.center(),
-                        session.level.cameras.empty());
     PictureMaker maker(session);
     for (uint32_t i = 0; i < frames; ++i) {
         // A single stop comes full circle, so its last frame must not repeat the first.
         const uint32_t whole = session.cameras.size() == 1 ? frames : std::max(frames, 2u) - 1;
+        advance(session, i, flight_step);
+        std::vector<Viewpoint> stops;
+        for (const Viewpoint& camera : session.cameras)
+            stops.push_back(session.player.follow(camera));
+        const Flight flight(stops, session.level.bounds.center(), session.level.cameras.empty());
         const Viewpoint view = flight.at(static_cast<double>(i) / static_cast<double>(whole));
         maker.drift(view);
         maker.render(view);

@@ -8,11 +8,12 @@
 
 #include <glm/glm.hpp>
 
-// What was read from a scene file, baked to world space: plain data that knows neither the file
-// format nor the engine.
-namespace host {
+#include "animation/rig.h"
+#include "mesh.h"
 
-inline constexpr uint32_t no_index = std::numeric_limits<uint32_t>::max();
+// What was read from a scene file: plain data that knows neither the file format nor the engine.
+// All but what moves is baked to world space.
+namespace host {
 
 struct Image {
     std::string name;
@@ -50,18 +51,6 @@ struct Material {
     TextureUse base_color_texture, normal_texture, emissive_texture;
 };
 
-// Attribute arrays are empty or as long as `positions`.
-struct Mesh {
-    std::string name;
-    std::vector<glm::vec3> positions, normals;
-    std::vector<glm::vec4> tangents;
-    std::vector<glm::vec2> texcoords, texcoords1;
-    std::vector<uint32_t> indices;   // three a triangle
-    std::vector<uint32_t> materials; // one a triangle; no_index: the default material
-
-    size_t triangle_count() const { return materials.size(); }
-};
-
 enum class LightType { point, spot, directional };
 
 struct Light {
@@ -72,6 +61,7 @@ struct Light {
     glm::vec3 intensity{1.0f};
     float radius = 10.0f;
     float cone_inner_cos = 1.0f, cone_outer_cos = 0.70710678f;
+    uint32_t node = no_index; // of the rig: what it follows
 };
 
 struct Viewpoint {
@@ -80,6 +70,7 @@ struct Viewpoint {
     glm::vec3 forward{0.0f, 0.0f, -1.0f};
     glm::vec3 up{0.0f, 1.0f, 0.0f};
     float vertical_fov = 1.0471976f;
+    uint32_t node = no_index; // of the rig: what it follows
 };
 
 struct Bounds {
@@ -96,16 +87,23 @@ struct Level {
     std::vector<Image> images;
     std::vector<Texture> textures;
     std::vector<Material> materials;
-    std::vector<Mesh> meshes;
+    std::vector<Mesh> meshes; // that stand still
+    std::vector<RigidMesh> rigid_meshes;
+    std::vector<DeformingMesh> deforming_meshes;
+    Rig rig;
     std::vector<Light> lights;
     std::vector<Viewpoint> cameras;
     std::vector<Viewpoint> spawns;
-    Bounds bounds;                  // of the finite vertices
+    Bounds bounds;                  // of the finite vertices, at rest
     std::vector<std::string> notes; // what was ignored or replaced, a sentence each
 
     size_t triangle_count() const {
         size_t count = 0;
         for (const Mesh& mesh : meshes) count += mesh.triangle_count();
+        for (const RigidMesh& rigid : rigid_meshes)
+            count += rigid.mesh.triangle_count() * rigid.nodes.size();
+        for (const DeformingMesh& deforming : deforming_meshes)
+            count += deforming.mesh.triangle_count();
         return count;
     }
 };

@@ -9,11 +9,13 @@
 #include "gltf/import.h"
 #include "headless.h"
 #include "options.h"
+#include "pads/linux_hid.h"
+#include "pads/listing.h"
+#include "pads/player_mappings.h"
 #include "paths.h"
 #include "plugin.h"
 #include "session.h"
 #include "stats.h"
-#include "upload.h"
 #include "viewer.h"
 #include "window.h"
 
@@ -22,7 +24,8 @@ namespace host {
 namespace {
 
 Level load_level(const Options& options) {
-    Level level = gltf::import_file(options.scene.empty() ? default_scene() : options.scene);
+    Level level = gltf::import_file(options.scene.empty() ? default_scene() : options.scene,
+                                    options.animation);
     if (level.triangle_count() == 0)
         throw InputError("the scene file " + level.name + " has no triangles to show");
     if (level.lights.empty()) {
@@ -78,7 +81,19 @@ void show(Session& session) {
     run_flight(session, "out/frame_%04d.png");
 }
 
+int list_pads(const Options& options) {
+    pads::PlayerMappings mappings;
+    if (!options.pad_map.empty()) {
+        const std::string mistake = pads::read_player_mappings(options.pad_map, mappings);
+        if (!mistake.empty()) throw InputError(mistake);
+    }
+    pads::LinuxHid hid;
+    std::cout << pads::list_pads(hid, mappings);
+    return 0;
+}
+
 int run(const Options& options) {
+    if (options.list_pads) return list_pads(options);
     const Level level = load_level(options);
     auto cameras = usable_cameras(level);
     const size_t camera = find_camera(cameras, options.camera);
@@ -86,9 +101,10 @@ int run(const Options& options) {
 
     const Plugin plugin(options.library);
     Stage stage(plugin.api(), options.threads, options.isa);
-    upload_level(stage, level, options.ambient);
+    Player player(stage, level, upload_level(stage, level, options.ambient));
+    player.describe(options.time);
     const rt_commit_report report = build(stage, options);
-    Session session{options, level, std::move(cameras), camera, stage, report, {}, 0, 0};
+    Session session{options, level, std::move(cameras), camera, stage, player, report, {}, 0, 0};
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);
     return 0;

@@ -89,6 +89,15 @@ struct Texts {
 void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--scene", options.scene, "a .glb or .gltf file [content/hall.glb]");
     app.add_option("--camera", options.camera, "name or index of a camera of the scene [0]");
+    app.add_option("--animation", options.animation,
+                   "name or index of an animation of the scene, or none [all at once]");
+    app.add_option("--time", options.time,
+                   "seconds into the animation at the first frame: the moment of a single picture "
+                   "[0]")
+        ->check(CLI::Range(0.0, 1e9));
+    app.add_option("--time-step", options.time_step,
+                   "seconds from frame to frame without a window [fly-through: 0.2; else 1/30]")
+        ->check(CLI::Range(0.0, 1e6));
     app.add_option("--size", texts.size, "WIDTHxHEIGHT of the frame, in pixels [1280x720]");
     app.add_option("--scale", options.scale, "frame size as a part of the window's [1]")
         ->check(CLI::Range(0.25, 1.0));
@@ -115,6 +124,10 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
         ->check(CLI::Range(0.0, 1e6));
     app.add_flag("--no-shadows", options.no_shadows, "lights shine through everything");
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
+    app.add_flag("--list-pads", options.list_pads,
+                 "print the gamepads and how they are read, and quit");
+    app.add_option("--pad-map", options.pad_map,
+                   "a file that maps buttons and axes of gamepads (docs/gamepads.md) [none]");
     app.add_option("--library", options.library,
                    "the engine [$PEREGRINE_LIBRARY, else libperegrine.so beside this program]");
     app.add_flag("--quiet", options.quiet, "say nothing but errors");
@@ -126,6 +139,8 @@ void interpret(const CLI::App& app, const Texts& texts, Options& options) {
     parse_size(texts.size, options);
     if (!std::isfinite(options.scale + options.exposure.value_or(1.0f) + options.ambient))
         throw InputError("--scale, --exposure and --ambient take finite numbers");
+    if (!std::isfinite(options.time + options.time_step.value_or(0.0)))
+        throw InputError("--time and --time-step take finite numbers");
     options.view = find_value(views, texts.view, "--view");
     options.structure = find_value(structures, texts.structure, "--structure");
     options.build = find_value(builds, texts.build, "--build");

@@ -9,8 +9,11 @@
 namespace host {
 
 struct Options {
-    std::string scene;  // empty: the default one
-    std::string camera; // a name or an index; empty: the first
+    std::string scene;               // empty: the default one
+    std::string camera;              // a name or an index; empty: the first
+    std::string animation;           // a name or an index, "none", or empty: all of them
+    double time = 0.0;               // seconds, at the first frame
+    std::optional<double> time_step; // seconds from frame to frame without a window
     uint32_t width = 1280, height = 720;
     std::optional<uint32_t> frames;
     std::string out;
@@ -26,6 +29,8 @@ struct Options {
     float scale = 1.0f;
     bool no_shadows = false;
     bool list_cameras = false;
+    bool list_pads = false;
+    std::string pad_map; // a file; see pads/player_mappings.h
     std::string library; // empty: see plugin.h
     bool quiet = false;
 };

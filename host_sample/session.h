@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "animation/player.h"
 #include "frame_log.h"
 #include "level.h"
 #include "options.h"
@@ -17,9 +18,15 @@ struct Session {
     std::vector<Viewpoint> cameras; // never empty
     size_t camera = 0;              // the chosen one
     Stage& stage;
-    rt_commit_report report;
+    Player& player;
+    rt_commit_report report; // of the first commit
     FrameLog log;
     uint32_t width = 0, height = 0; // of the last frame
+
+    // The chosen camera as it is now.
+    Viewpoint viewpoint() const { return player.follow(cameras[camera]); }
+
+    void show_moment(double seconds) { player.show(seconds, options.structure, options.build); }
 
     // A frame as the options ask for it, 8 bits a channel.
     Frame frame(uint32_t frame_width, uint32_t frame_height) const {

@@ -47,6 +47,27 @@ Json describe_tree(const rt_commit_report& report) {
             {"sah_cost", report.tree_sah_cost}};
 }
 
+// Milliseconds are medians.
+Json describe_animation(const Session& session) {
+    const Level& level = session.level;
+    const PlayerLog& log = session.player.log();
+    size_t instances = 0, vertices = 0;
+    for (const RigidMesh& rigid : level.rigid_meshes) instances += rigid.nodes.size();
+    for (const DeformingMesh& mesh : level.deforming_meshes) vertices += mesh.vertex_count();
+    return {{"clips", level.rig.clips.size()},
+            {"nodes", level.rig.nodes.size()},
+            {"rigid_meshes", level.rigid_meshes.size()},
+            {"rigid_instances", instances},
+            {"deforming_meshes", level.deforming_meshes.size()},
+            {"deforming_vertices", vertices},
+            {"time", session.player.time()},
+            {"pose_ms", log.pose.median()},
+            {"skinning_ms", log.skinning.median()},
+            {"update_ms", log.update.median()},
+            {"commits", log.commit.count()},
+            {"commit_ms", log.commit.median()}};
+}
+
 // The mean over all cores of what Linux says now; 0 where it says nothing.
 double read_cpu_mhz() {
     std::ifstream stream("/proc/cpuinfo");
@@ -93,6 +114,7 @@ std::string describe_stats(const Session& session) {
         {"left_out", describe_left_out(report.left_out)},
         {"tree", describe_tree(report)},
     };
+    if (session.player.animated()) json["animation"] = describe_animation(session);
     if (const double mhz = read_cpu_mhz(); mhz > 0.0) json["cpu_mhz"] = mhz;
     // Names in a scene file need not be UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -7,12 +7,6 @@ namespace host {
 
 namespace {
 
-// Calls of the engine want arrays of components; GLM's vectors are exactly that.
-template <class T>
-rt_array to_array(const std::vector<T>& values) {
-    return {values.empty() ? nullptr : values.data(), values.size(), 0, 0};
-}
-
 template <class Vector>
 void copy3(const Vector& from, auto* to) {
     for (int i = 0; i < 3; ++i) to[i] = from[i];
@@ -27,12 +21,17 @@ class Uploader {
 public:
     Uploader(Stage& stage, const Level& level) : stage_(stage), level_(level) {}
 
-    void run(float ambient) {
+    Uploaded run(float ambient) {
         for (const Texture& texture : level_.textures) add_texture(texture);
         for (const Material& material : level_.materials) add_material(material);
-        for (const Mesh& mesh : level_.meshes) add_mesh(mesh);
+        const rt_api& api = stage_.api();
+        for (const Mesh& mesh : level_.meshes) add_mesh(mesh, api.add_static_mesh);
+        for (const RigidMesh& rigid : level_.rigid_meshes) add_rigid_mesh(rigid);
+        for (const DeformingMesh& deforming : level_.deforming_meshes)
+            uploaded_.deforming_meshes.push_back(add_mesh(deforming.mesh, api.add_dynamic_mesh));
         for (const Light& light : level_.lights) add_light(light);
         set_environment(ambient);
+        return std::move(uploaded_);
     }
 
 private:
@@ -81,7 +80,9 @@ private:
         materials_.push_back(handle);
     }
 
-    void add_mesh(const Mesh& mesh) {
+    using AddMesh = rt_result (*)(rt_scene, const rt_mesh_desc*, rt_mesh*);
+
+    rt_mesh add_mesh(const Mesh& mesh, AddMesh add) {
         std::vector<rt_material> materials;
         materials.reserve(mesh.materials.size());
         for (const uint32_t material : mesh.materials)
@@ -95,22 +96,26 @@ private:
         desc.indices = to_array(mesh.indices);
         desc.materials = to_array(materials);
         rt_mesh handle{};
-        stage_.check(stage_.api().add_static_mesh(stage_.scene(), &desc, &handle), "adding a mesh");
+        stage_.check(add(stage_.scene(), &desc, &handle), "adding a mesh");
+        return handle;
+    }
+
+    void add_rigid_mesh(const RigidMesh& rigid) {
+        std::vector<rt_mesh> handles = {add_mesh(rigid.mesh, stage_.api().add_rigid_mesh)};
+        while (handles.size() < rigid.nodes.size()) {
+            rt_mesh handle{};
+            stage_.check(stage_.api().add_mesh_instance(stage_.scene(), handles[0], &handle),
+                         "adding an instance of a mesh");
+            handles.push_back(handle);
+        }
+        uploaded_.rigid_meshes.push_back(std::move(handles));
     }
 
     void add_light(const Light& light) {
-        rt_light_desc desc = rt_default_light_desc();
-        desc.type = light.type == LightType::point  ? RT_LIGHT_POINT
-                    : light.type == LightType::spot ? RT_LIGHT_SPOT
-                                                    : RT_LIGHT_DIRECTIONAL;
-        copy3(light.position, desc.position);
-        copy3(light.direction, desc.direction);
-        copy3(light.intensity, desc.intensity);
-        desc.radius = light.radius;
-        desc.cone_inner_cos = light.cone_inner_cos;
-        desc.cone_outer_cos = light.cone_outer_cos;
+        const rt_light_desc desc = describe_light(light);
         rt_light handle{};
         stage_.check(stage_.api().add_light(stage_.scene(), &desc, &handle), "adding a light");
+        uploaded_.lights.push_back(handle);
     }
 
     // By day the sky is bright; without a sun it is night.
@@ -130,13 +135,28 @@ private:
     const Level& level_;
     std::vector<rt_texture> textures_;
     std::vector<rt_material> materials_;
+    Uploaded uploaded_;
 };
 
 } // namespace
 
-void upload_level(Stage& stage, const Level& level, float ambient) {
+rt_light_desc describe_light(const Light& light) {
+    rt_light_desc desc = rt_default_light_desc();
+    desc.type = light.type == LightType::point  ? RT_LIGHT_POINT
+                : light.type == LightType::spot ? RT_LIGHT_SPOT
+                                                : RT_LIGHT_DIRECTIONAL;
+    copy3(light.position, desc.position);
+    copy3(light.direction, desc.direction);
+    copy3(light.intensity, desc.intensity);
+    desc.radius = light.radius;
+    desc.cone_inner_cos = light.cone_inner_cos;
+    desc.cone_outer_cos = light.cone_outer_cos;
+    return desc;
+}
+
+Uploaded upload_level(Stage& stage, const Level& level, float ambient) {
     static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16);
-    Uploader(stage, level).run(ambient);
+    return Uploader(stage, level).run(ambient);
 }
 
 } // namespace host

@@ -1,12 +1,29 @@
 #pragma once
 
+#include <vector>
+
 #include "level.h"
 #include "stage.h"
 
 namespace host {
 
+// What of a level the engine knows and the host moves, in the level's order.
+struct Uploaded {
+    std::vector<std::vector<rt_mesh>> rigid_meshes; // one for each node that the mesh stands at
+    std::vector<rt_mesh> deforming_meshes;
+    std::vector<rt_light> lights;
+};
+
 // Describes a level to the engine, with an ambient light of the given strength and a background
 // that suits it. Throws EngineError.
-void upload_level(Stage& stage, const Level& level, float ambient);
+Uploaded upload_level(Stage& stage, const Level& level, float ambient);
+
+// Calls of the engine want arrays of components; GLM's vectors are exactly that.
+template <class T>
+rt_array to_array(const std::vector<T>& values) {
+    return {values.empty() ? nullptr : values.data(), values.size(), 0, 0};
+}
+
+rt_light_desc describe_light(const Light& light);
 
 } // namespace host

@@ -24,7 +24,7 @@ public:
     Viewer(Session& session, Window& window)
         : session_(session), window_(window), exposure_(session), presenter_(window.modern_gl()),
           probe_(session.stage), walker_(probe_), view_(session.options.view) {
-        walker_.place(session.cameras[session.camera]);
+        walker_.place(session.viewpoint());
     }
 
     void run() {
@@ -33,8 +33,9 @@ public:
             const auto now = Clock::now();
             const double seconds = std::chrono::duration<double>(now - before).count();
             before = now;
+            session_.show_moment(session_.player.time() + seconds);
             obey(window_.take_presses());
-            walker_.step(window_.controls(), std::min(seconds, longest_step));
+            move(window_.controls(), std::min(seconds, longest_step));
             now_exposure_ = exposure_.drift(walker_.viewpoint(), std::min(seconds, longest_step));
             show_frame();
             update_title(now);
@@ -53,9 +54,19 @@ private:
                                      % (RT_VIEW_STEPS + 1));
         if (presses.next_camera > 0) {
             session_.camera = (session_.camera + presses.next_camera) % session_.cameras.size();
-            walker_.place(session_.cameras[session_.camera]);
+            walker_.place(session_.viewpoint());
+            riding_ = true;
         }
         if (presses.screenshot > 0) write_screenshot();
+    }
+
+    // A camera that moves takes the viewer along until they move themselves.
+    void move(const Controls& controls, double seconds) {
+        riding_ = riding_ && controls.idle();
+        if (riding_ && session_.cameras[session_.camera].node != no_index)
+            walker_.place(session_.viewpoint());
+        else
+            walker_.step(controls, seconds);
     }
 
     Frame frame_of(int window_width, int window_height) const {
@@ -122,6 +133,7 @@ private:
     Presenter presenter_;
     Probe probe_;
     Walker walker_;
+    bool riding_ = true;
     rt_view view_;
     float now_exposure_ = 1.0f;
     std::vector<float> pixels_; // four floats a pixel, or the bytes of four channels

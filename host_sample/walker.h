@@ -11,6 +11,11 @@ struct Controls {
     bool run = false;
     glm::vec2 turn{0.0f};      // radians: to the left, upwards
     glm::vec2 turn_rate{0.0f}; // the same in radians a second
+
+    bool idle() const {
+        return forward == 0.0f && right == 0.0f && up == 0.0f && turn == glm::vec2(0.0f)
+               && turn_rate == glm::vec2(0.0f);
+    }
 };
 
 // A person who looks and moves: flying through everything, or walking on floors and stopped by

@@ -55,8 +55,9 @@ def check(name: str, mesh: Mesh) -> None:
 
 
 class Writer:
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, name: str = "hall") -> None:
         self.scene = scene
+        self.name = name
         self.blob = bytearray()
         self.views: list[dict] = []
         self.accessors: list[dict] = []
@@ -200,6 +201,8 @@ class Writer:
             self.nodes.append({"name": camera.name, "camera": k, "matrix": matrix})
         for k, position in enumerate(self.scene.spawns):
             self.nodes.append({"name": f"spawn_{k}", "translation": list(position)})
+        for name, position in self.scene.marks:
+            self.nodes.append({"name": name, "translation": [round(v, 5) for v in position]})
 
     def write(self) -> bytes:
         for name, model in {**self.scene.rooms, **self.scene.prefabs}.items():
@@ -207,7 +210,10 @@ class Writer:
         for material in self.defined:
             self.materials.append(self.material(material))
         self.add_nodes()
-        lights = [
+        return pack(self.document(), bytes(self.blob))
+
+    def punctual(self) -> list[dict]:
+        return [
             {
                 "name": light.name,
                 "type": "point",
@@ -217,7 +223,9 @@ class Writer:
             }
             for light in self.scene.lights
         ]
-        cameras = [
+
+    def perspectives(self) -> list[dict]:
+        return [
             {
                 "name": camera.name,
                 "type": "perspective",
@@ -225,14 +233,16 @@ class Writer:
             }
             for camera in self.scene.cameras
         ]
-        document = {
-            "asset": {"version": "2.0", "generator": "Peregrine content/generate_hall.py"},
+
+    def document(self) -> dict:
+        return {
+            "asset": {"version": "2.0", "generator": f"Peregrine content/generate_{self.name}.py"},
             "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_emissive_strength"],
-            "extensions": {"KHR_lights_punctual": {"lights": lights}},
+            "extensions": {"KHR_lights_punctual": {"lights": self.punctual()}},
             "scene": 0,
-            "scenes": [{"name": "hall", "nodes": list(range(len(self.nodes)))}],
+            "scenes": [{"name": self.name, "nodes": self.roots()}],
             "nodes": self.nodes,
-            "cameras": cameras,
+            "cameras": self.perspectives(),
             "meshes": self.meshes,
             "materials": self.materials,
             "samplers": [{"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}],
@@ -242,7 +252,9 @@ class Writer:
             "bufferViews": self.views,
             "buffers": [{"byteLength": len(self.blob)}],
         }
-        return pack(document, bytes(self.blob))
+
+    def roots(self) -> list[int]:
+        return list(range(len(self.nodes)))
 
 
 def pack(document: dict, blob: bytes) -> bytes:

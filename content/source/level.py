@@ -13,6 +13,7 @@ import numpy as np
 
 from . import architecture as arch
 from . import furniture as fit
+from . import play
 from .architecture import Opening
 from .mesh import (
     MIRROR_X,
@@ -65,6 +66,7 @@ def build() -> Scene:
     hall_fittings(scene)
     courtyard(scene)
     west_rooms(scene)
+    play.add(scene)
     viewpoints(scene)
     return scene
 
@@ -96,6 +98,7 @@ def add_prefabs(scene: Scene) -> None:
         "candle": fit.candle(0.2, 0.03),
         "fountain": fit.fountain(),
         "armillary": fit.armillary(),
+        **play.prefabs(),
     }
 
 
@@ -410,8 +413,6 @@ def courtyard(scene: Scene) -> None:
         arch.wall(z1 - z0, COURT_WALL, 0.6, [gate], back=None), place(x1, 0, z0, WEST_FACING)
     )
     frame(court, gate, place(x1, 0, z0, WEST_FACING))
-    grille = arch.arched_pane(gate, 0.3, False)
-    court.add("grate", grille.transformed(place(x1, 0, z0, WEST_FACING)))
     beyond = arch.arched_pane(gate, 0.55, False)
     court.add("planks", beyond.transformed(place(x1, 0, z0, WEST_FACING)))
     battlements(court, x0, z0, x1, z1)
@@ -466,7 +467,7 @@ def cloister(scene: Scene, court: Model) -> None:
             court.add(
                 "timber", box(OUTER, SLAB - 0.28, z - 0.14, front - 0.7, SLAB, z + 0.14, 0.02, "+y")
             )
-        if k < 4:
+        if k < 4 and k != 1:  # the lift arrives there
             scene.put("balustrade", front - 0.35, GALLERY, z - 0.4, 90)
     court.add_model(arch.balustrade(1.45), place(front - 0.2, GALLERY, z0 + 2.15, -90))
     for z in (-12.0, -20.0):

@@ -66,4 +66,7 @@ MATERIALS = [
     Material("flame", colour=(0.0, 0.0, 0.0), emissive=(1.0, 1.0, 1.0), emissive_strength=1.3,
              picture=textures.fire, glows=True),
     Material("wax", roughness=0.6, colour=(0.72, 0.64, 0.48), emissive=(0.10, 0.06, 0.025)),
+    Material("grass", 4.0, 1.0, picture=textures.grass),
+    Material("canvas", colour=(0.75, 0.68, 0.54), double_sided=True),
+    Material("slate", colour=(0.10, 0.11, 0.13), roughness=0.6),
 ]  # fmt: skip

@@ -56,6 +56,7 @@ class Scene:
     lights: list[Light] = field(default_factory=list)
     cameras: list[Camera] = field(default_factory=list)
     spawns: list[tuple] = field(default_factory=list)
+    marks: list[tuple[str, tuple]] = field(default_factory=list)
 
     def room(self, name: str) -> Model:
         return self.rooms.setdefault(name, Model())
@@ -70,6 +71,9 @@ class Scene:
 
     def camera(self, name: str, position: tuple, target: tuple, yfov: float = 60.0) -> None:
         self.cameras.append(Camera(name, position, target, yfov))
+
+    def mark(self, name: str, x: float, y: float, z: float) -> None:
+        self.marks.append((name, (x, y, z)))
 
     def all_models(self) -> list[Model]:
         return [*self.rooms.values(), *self.prefabs.values()]

@@ -357,6 +357,14 @@ def water():
     return mix((0.20, 0.36, 0.42), (0.27, 0.45, 0.48), fbm(3, 3, 3, 132)), height
 
 
+def grass():
+    """A meadow, 4 m."""
+    blades = fbm(48, 48, 4, 141)
+    tufts = smoothstep(0.35, 0.75, fbm(5, 5, 5, 142))
+    green = mix((0.30, 0.42, 0.16), (0.50, 0.54, 0.26), tufts)
+    return green * (0.75 + 0.5 * blades)[..., None]
+
+
 def books():
     """Two shelves of spines, 1 m wide and 1 m high."""
     rng = np.random.RandomState(141)

@@ -15,7 +15,9 @@ namespace peregrine::accel {
 template <class Size, class Build>
 void build_subtrees(uint32_t count, Size&& size, Build&& build, float done, Control& control,
                     base::Scheduler& scheduler, base::Memory* memory) {
+    constexpr uint32_t kUsual = 256; // the same room for most, so that builds use it again
     base::Vector<uint32_t> order(memory);
+    order.reserve(std::max(count, kUsual));
     uint64_t work = 0;
     for (uint32_t i = 0; i < count; ++i) {
         order.push_back(i);

@@ -10,8 +10,9 @@ namespace peregrine::geometry {
 inline constexpr float kLargestCoordinate = 1e30f;
 
 inline bool is_usable(const math::Vec3& p) {
-    return std::fabs(p.x) <= kLargestCoordinate && std::fabs(p.y) <= kLargestCoordinate
-           && std::fabs(p.z) <= kLargestCoordinate;
+    return bool(int(std::fabs(p.x) <= kLargestCoordinate)
+                & int(std::fabs(p.y) <= kLargestCoordinate)
+                & int(std::fabs(p.z) <= kLargestCoordinate)); // one branch
 }
 
 // Whether the cross product of two edges is not zero, in double: differences of floats are exact

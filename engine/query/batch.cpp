@@ -1,6 +1,8 @@
 #include "query/batch.h"
 
+#include "query/check_rays.h"
 #include "query/ray_loaders.h"
+#include "query/spread.h"
 #include "query/store_hit.h"
 #include "query/valid_ray.h"
 #include "trace/world/stream.h"
@@ -11,7 +13,6 @@
 namespace peregrine::query {
 namespace {
 
-constexpr uint32_t kChunk = 1024; // rays: as many as a tile of a frame
 static_assert(kChunk <= trace::kMaxStream);
 constexpr uint32_t kPad = 16; // to a multiple of this
 
@@ -32,11 +33,6 @@ bool is_aligned(const void* address) {
     return reinterpret_cast<uintptr_t>(address) % 64 == 0;
 }
 
-[[noreturn, gnu::cold, gnu::noinline]] void reject_first(const Rays& rays) {
-    for (uint64_t i = 0;; ++i)
-        if (const math::Ray ray = rays.load(i); !is_valid(ray)) reject(i, ray);
-}
-
 // A chunk of the host's rays as a stream: in place where its arrays allow that, else copied here.
 class Chunk {
 public:
@@ -46,6 +42,8 @@ public:
         const float* lanes[8];
         rays.records ? split(rays, first, count, loaders, lanes)
                      : place(rays.arrays, first, count, lanes);
+        if (rays.moved()) [[unlikely]]
+            move(rays, count, lanes);
         return {{lanes[0], lanes[1], lanes[2]},
                 {lanes[4], lanes[5], lanes[6]},
                 lanes[RayArrays::kBegin],
@@ -58,8 +56,9 @@ private:
                const float* (&lanes)[8]) {
         float* rooms[8];
         for (uint32_t k = 0; k < 8; ++k) lanes[k] = rooms[k] = room_[k].value;
-        if (!loaders.split(rays.records + first * rays.stride, rays.stride, count, rooms))
-            [[unlikely]]
+        const bool valid =
+            loaders.split(rays.records + first * rays.stride, rays.stride, count, rooms);
+        if (!valid && !rays.moved()) [[unlikely]]
             reject_first(rays);
     }
 
@@ -72,6 +71,15 @@ private:
                 lanes[k] = array + first;
             else
                 lanes[k] = copy(array, first, count, room_[k].value);
+        }
+    }
+
+    void move(const Rays& rays, uint32_t count, const float* (&lanes)[8]) {
+        const uint32_t padded = (count + kPad - 1) / kPad * kPad;
+        for (int k = 0; k < 3; ++k) {
+            float* const room = room_[k].value;
+            for (uint32_t i = 0; i < padded; ++i) room[i] = rays.move(lanes[k][i], k);
+            lanes[k] = room;
         }
     }
 
@@ -89,7 +97,7 @@ private:
 // Room for a chunk's hits, and their way to the host.
 class HitChunk {
 public:
-    explicit HitChunk(const scene::Snapshot& snapshot) : names_(snapshot) {}
+    explicit HitChunk(const scene::Snapshot& snapshot) : snapshot_(snapshot), names_(snapshot) {}
 
     // Where the kernel is to put them: in the host's arrays where they allow that.
     trace::HitStream begin(const Hits& hits, uint64_t first, uint32_t count) {
@@ -107,11 +115,20 @@ public:
         return stream_;
     }
 
-    void end(const Hits& hits, uint64_t first, uint32_t count) const {
+    void end(const Hits& hits, const Surfaces& surfaces, uint64_t first, uint32_t count) const {
         hits.records ? store_records(hits, first, count) : store_arrays(hits.arrays, first, count);
+        if (surfaces) [[unlikely]]
+            for (uint32_t i = 0; i < count; ++i)
+                surfaces.store(first + i, surface_at(snapshot_, hit(i), surfaces.fields));
     }
 
 private:
+    Hit hit(uint32_t i) const {
+        const HitIds ids = names_.of(triangle_.value[i]);
+        return {stream_.t[i],        stream_.u[i], stream_.v[i], ids.triangle, ids.mesh, 0,
+                stream_.back_face[i]};
+    }
+
     void store_records(const Hits& hits, uint64_t first, uint32_t count) const {
         std::byte* place = hits.records + first * hits.stride;
         for (uint32_t i = 0; i < count; ++i, place += hits.stride)
@@ -137,64 +154,68 @@ private:
                 store_element(arrays.mesh, first + i, names_.of(triangle_.value[i]).mesh);
     }
 
+    const scene::Snapshot& snapshot_;
     HitNames names_;
     trace::HitStream stream_;
     Lane<float> t_, u_, v_;
     Lane<uint32_t> triangle_, back_face_;
 };
 
-// Records that fit one chunk are checked on the way into it; of more of them, and of arrays, all
-// are looked at before the first result is written.
-void check(const Rays& rays, const RayLoaders& loaders) {
-    if (rays.records && rays.count <= kChunk) return;
-    const bool valid = rays.records ? loaders.check_records(rays.records, rays.stride, rays.count)
-                                    : loaders.check_arrays(rays.arrays, rays.count);
-    if (!valid) [[unlikely]]
-        reject_first(rays);
-}
-
-// Calls trace(stream, first, count) chunk after chunk.
+// Calls trace(stream, first, count) for chunk after chunk of the rays from `first` to `end`.
 template <class Trace>
-void for_each_chunk(const scene::Snapshot& snapshot, const Rays& rays, trace::Coherence coherence,
-                    Trace&& trace) {
-    const RayLoaders& loaders = ray_loaders(snapshot.isa());
-    check(rays, loaders);
+void for_each_chunk(const Rays& rays, uint64_t first, uint64_t end, const RayLoaders& loaders,
+                    trace::Coherence coherence, Trace&& trace) {
     Chunk chunk;
-    for (uint64_t first = 0; first < rays.count; first += kChunk) {
-        const auto count = uint32_t(std::min<uint64_t>(rays.count - first, kChunk));
+    for (; first < end; first += kChunk) {
+        const auto count = uint32_t(std::min<uint64_t>(end - first, kChunk));
         trace::RayStream stream = chunk.load(rays, first, count, loaders);
         stream.coherence = coherence;
         trace(stream, first, count);
     }
 }
 
+// Records that fit one chunk are checked on the way into it; of more of them, of arrays and of
+// moved rays, all are looked at before the first result is written.
+const RayLoaders& check(const scene::Snapshot& snapshot, const Rays& rays,
+                        base::Scheduler* scheduler) {
+    const RayLoaders& loaders = ray_loaders(snapshot.isa());
+    if (!rays.records || rays.count > kChunk || rays.moved()) check_rays(rays, loaders, scheduler);
+    return loaders;
+}
+
 } // namespace
 
 void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
-                   trace::Coherence coherence, const Hits& hits) {
-    HitChunk chunk(snapshot);
-    for_each_chunk(snapshot, rays, coherence,
-                   [&](const trace::RayStream& stream, uint64_t first, uint32_t count) {
-                       trace::closest(snapshot.world, stream, filter,
-                                      chunk.begin(hits, first, count));
-                       chunk.end(hits, first, count);
-                   });
+                   const Request& request, const Hits& hits, const Surfaces& surfaces) {
+    const RayLoaders& loaders = check(snapshot, rays, request.scheduler);
+    spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
+        HitChunk chunk(snapshot);
+        for_each_chunk(rays, first, end, loaders, request.selection.coherence,
+                       [&](const trace::RayStream& stream, uint64_t begin, uint32_t count) {
+                           trace::closest(snapshot.world, stream, filter,
+                                          chunk.begin(hits, begin, count));
+                           chunk.end(hits, surfaces, begin, count);
+                       });
+    });
 }
 
 void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
-                     trace::Coherence coherence, const Strided<uint8_t>& occluded) {
-    Lane<uint8_t> room;
-    for_each_chunk(snapshot, rays, coherence,
-                   [&](const trace::RayStream& stream, uint64_t first, uint32_t count) {
-                       trace::occluded(snapshot.world, stream, filter, room.value);
-                       std::byte* place = occluded.data + first * occluded.stride;
-                       if (occluded.stride == 1) {
-                           std::memcpy(place, room.value, count);
-                           return;
-                       }
-                       for (uint32_t i = 0; i < count; ++i, place += occluded.stride)
-                           *place = std::byte(room.value[i]);
-                   });
+                     const Request& request, const Strided<uint8_t>& occluded) {
+    const RayLoaders& loaders = check(snapshot, rays, request.scheduler);
+    spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
+        Lane<uint8_t> room;
+        for_each_chunk(rays, first, end, loaders, request.selection.coherence,
+                       [&](const trace::RayStream& stream, uint64_t begin, uint32_t count) {
+                           trace::occluded(snapshot.world, stream, filter, room.value);
+                           std::byte* place = occluded.data + begin * occluded.stride;
+                           if (occluded.stride == 1) {
+                               std::memcpy(place, room.value, count);
+                               return;
+                           }
+                           for (uint32_t i = 0; i < count; ++i, place += occluded.stride)
+                               *place = std::byte(room.value[i]);
+                       });
+    });
 }
 
 } // namespace peregrine::query

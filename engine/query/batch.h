@@ -1,9 +1,6 @@
 #pragma once
 
-#include "query/records.h"
-#include "scene/snapshot.h"
-#include "trace/filter.h"
-#include "trace/kernels.h"
+#include "query/query.h"
 
 namespace peregrine::query {
 
@@ -12,8 +9,8 @@ inline constexpr uint64_t kSmallestBatch = 8;
 
 // Batches of any size, through the stream kernels. Throw base::Error as query.h says.
 void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
-                   trace::Coherence coherence, const Hits& hits);
+                   const Request& request, const Hits& hits, const Surfaces& surfaces);
 void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
-                     trace::Coherence coherence, const Strided<uint8_t>& occluded);
+                     const Request& request, const Strided<uint8_t>& occluded);
 
 } // namespace peregrine::query

@@ -1,13 +1,26 @@
 #pragma once
 
+#include "base/scheduler.h"
 #include "query/records.h"
+#include "query/resolve.h"
 #include "scene/snapshot.h"
 #include "trace/filter.h"
 #include "trace/kernels.h"
+#include "trace/visitor.h"
 
 #include <cstddef>
+#include <span>
 
 namespace peregrine::query {
+
+// The host's word on a hit that passed everything else: whether it counts. Asked on the thread that
+// asks the query; of one ray's hits in any order, about a hit perhaps more than once.
+struct Accept {
+    bool (*ask)(void* user, uint64_t ray, const Hit& candidate) = nullptr; // null: all count
+    void* user = nullptr;
+
+    explicit operator bool() const { return ask != nullptr; }
+};
 
 // Which triangles count, in the host's terms, and what it knows of the rays.
 struct Selection {
@@ -16,16 +29,46 @@ struct Selection {
     base::Handle ignore_mesh;
     bool alpha_test = false;
     trace::Coherence coherence = trace::Coherence::automatic;
+    std::span<const base::Handle> ignore_meshes; // beside ignore_mesh; null and stale ones: nothing
+    Accept accept;
     bool skip_separating = false; // sweeps: initial contacts that do not get deeper do not count
 };
 
-trace::Filter make_filter(const scene::Snapshot& snapshot, const Selection& selection);
+// A query apart from its rays and results.
+struct Request {
+    Selection selection;
+    base::Scheduler* scheduler = nullptr; // takes part in large batches without `accept`
+    trace::Counters* counters = nullptr;  // what the rays took; rays are slower then
+};
 
-// Throw base::Error invalid_argument that names the first ray which is not one: a component NaN, an
-// origin infinite or beyond 1e30, a direction infinite or zero. Nothing is written then.
-void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Selection& selection,
-                  const Hits& hits);
-void occlusion(const scene::Snapshot& snapshot, const Rays& rays, const Selection& selection,
+// All of these throw base::Error invalid_argument that names the first ray which is not one: a
+// component NaN, an origin infinite or beyond 1e30, a direction infinite or zero. Nothing is
+// written then. Answers depend on neither the scheduler nor the counters.
+
+// The first hit of each ray, and what lies there if `surfaces` are wanted.
+void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+                  const Hits& hits, const Surfaces& surfaces = {});
+
+// 1 for rays that hit anything, else 0.
+void occlusion(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                const Strided<uint8_t>& occluded);
+
+// The triangles that each ray crosses (geometry/crossing.h), in the order of (t, mesh slot,
+// triangle): each passage through a closed surface once, also on edges and vertices. Of those the
+// first `most`; ray i has them from record i * most on, and their number in counts. Records beyond
+// that number are left as they are.
+struct HitLists {
+    std::byte* hits;
+    uint32_t stride;
+    uint32_t most;
+    Strided<uint32_t> counts;
+    Surfaces surfaces; // beside the hits
+};
+void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+              const HitLists& lists);
+
+// ... or how many they are.
+void count_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+                const Strided<uint32_t>& counts);
 
 } // namespace peregrine::query

@@ -3,6 +3,7 @@
 #include "base/slot_map.h"
 #include "math/ray.h"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -54,6 +55,12 @@ struct RayArrays {
                 {at(4), at(5), at(6)},
                 array[kEnd] ? at(kEnd) : std::numeric_limits<float>::infinity()};
     }
+
+    RayArrays from(uint64_t first) const {
+        RayArrays rest;
+        for (uint32_t k = 0; k < 8; ++k) rest.array[k] = array[k] ? array[k] + first : nullptr;
+        return rest;
+    }
 };
 
 // The rays of a query, in one form or the other.
@@ -62,9 +69,31 @@ struct Rays {
     const std::byte* records; // null: arrays
     uint32_t stride;
     RayArrays arrays;
+    // Added to every ray's own origin in double; the sum is rounded to float, once an axis. Not 0
+    // where the host's rays are relative to a point of its own.
+    math::Vec3d origin{0};
+
+    // Whether the origin is not 0, of either sign; in integers, for the sake of small batches.
+    bool moved() const {
+        const auto bits = [this](int k) { return std::bit_cast<uint64_t>(origin[k]); };
+        return (bits(0) | bits(1) | bits(2)) << 1 != 0;
+    }
+    float move(float value, int axis) const { return float(double(value) + origin[axis]); }
 
     math::Ray load(uint64_t i) const {
-        if (!records) return arrays.load(i);
+        math::Ray ray = records ? load_record(i) : arrays.load(i);
+        if (moved())
+            for (int k = 0; k < 3; ++k) ray.origin[k] = move(ray.origin[k], k);
+        return ray;
+    }
+
+    Rays part(uint64_t first, uint64_t end) const {
+        return records ? Rays{end - first, records + first * stride, stride, {}, origin}
+                       : Rays{end - first, nullptr, 0, arrays.from(first), origin};
+    }
+
+private:
+    math::Ray load_record(uint64_t i) const {
         math::Ray ray;
         std::memcpy(&ray, records + i * stride, sizeof ray);
         return ray;
@@ -89,6 +118,18 @@ struct HitArrays {
     uint32_t* triangle;
     base::Handle* mesh;
     uint32_t* back_face;
+
+    void store(uint64_t i, const Hit& hit) const {
+        const auto put = [i](auto* array, auto value) {
+            if (array) store_element(array, i, value);
+        };
+        put(t, hit.t);
+        put(u, hit.u);
+        put(v, hit.v);
+        put(triangle, hit.triangle);
+        put(mesh, hit.mesh);
+        put(back_face, hit.back_face);
+    }
 };
 
 // Where the hits of a query go, in one form or the other.
@@ -96,6 +137,13 @@ struct Hits {
     std::byte* records; // null: arrays
     uint32_t stride;
     HitArrays arrays;
+
+    void store(uint64_t i, const Hit& hit) const {
+        if (records)
+            std::memcpy(records + i * stride, &hit, sizeof hit);
+        else
+            arrays.store(i, hit);
+    }
 };
 
 } // namespace peregrine::query

@@ -31,33 +31,38 @@ void check(const scene::Snapshot& snapshot, const Hit& hit, uint64_t index) {
                    place);
 }
 
-Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit) {
-    if (is_miss(hit)) return {};
-    const scene::Snapshot::Mesh& mesh = snapshot.meshes[hit.mesh.index];
-    const scene::MeshData& data = *mesh.data;
-    const auto& corners = data.triangles()[hit.triangle];
-    const scene::Material& material = snapshot.material_of(mesh, hit.triangle);
-
-    Surface surface;
-    const PlacedMesh placed(snapshot, mesh);
-    surface.position = placed.position(hit.triangle, hit.u, hit.v);
-    surface.geometric_normal = placed.geometric_normal(hit.triangle);
-    surface.shading_normal = placed.shading_normal(hit.triangle, hit.u, hit.v);
-    if (!data.surface->texcoords.empty())
-        surface.texcoord =
-            math::Vec2(blend<glm::dvec2>(data.surface->texcoords, corners, hit.u, hit.v));
-    surface.material = {material.slot, material.generation};
-    surface.material_user_data = material.user_data;
-    surface.mesh_user_data = mesh.user_data;
-    return surface;
+math::Vec2 texcoord_at(const scene::MeshData& mesh, const Hit& hit) {
+    if (mesh.surface->texcoords.empty()) return math::Vec2(0);
+    return math::Vec2(
+        blend<glm::dvec2>(mesh.surface->texcoords, mesh.triangles()[hit.triangle], hit.u, hit.v));
 }
 
 } // namespace
 
-void resolve(const scene::Snapshot& snapshot, const Strided<Hit>& hits,
-             const Strided<Surface>& surfaces) {
+Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit, uint32_t fields) {
+    Surface surface;
+    if (is_miss(hit)) return surface;
+    const scene::Snapshot::Mesh& mesh = snapshot.meshes[hit.mesh.index];
+    const PlacedMesh placed(snapshot, mesh);
+    if (fields & kPosition)
+        surface.position = snapshot.origin + placed.position(hit.triangle, hit.u, hit.v);
+    if (fields & kGeometricNormal) surface.geometric_normal = placed.geometric_normal(hit.triangle);
+    if (fields & kShadingNormal)
+        surface.shading_normal = placed.shading_normal(hit.triangle, hit.u, hit.v);
+    if (fields & kTexcoord) surface.texcoord = texcoord_at(*mesh.data, hit);
+    if (fields & (kMaterial | kUserData)) {
+        const scene::Material& material = snapshot.material_of(mesh, hit.triangle);
+        if (fields & kMaterial) surface.material = {material.slot, material.generation};
+        if (fields & kUserData) surface.material_user_data = material.user_data;
+    }
+    if (fields & kUserData) surface.mesh_user_data = mesh.user_data;
+    return surface;
+}
+
+void resolve(const scene::Snapshot& snapshot, const Strided<Hit>& hits, const Surfaces& surfaces) {
     for (uint64_t i = 0; i < hits.count; ++i) check(snapshot, hits.load(i), i);
-    for (uint64_t i = 0; i < hits.count; ++i) surfaces.store(i, surface_at(snapshot, hits.load(i)));
+    for (uint64_t i = 0; i < hits.count; ++i)
+        surfaces.store(i, surface_at(snapshot, hits.load(i), surfaces.fields));
 }
 
 } // namespace peregrine::query

@@ -1,6 +1,9 @@
 #include "query/shapes.h"
 
+#include "query/chosen.h"
+#include "query/spread.h"
 #include "query/store_hit.h"
+#include "query/total_counters.h"
 #include "query/valid_shape.h"
 #include "trace/world/shapes.h"
 
@@ -31,14 +34,49 @@ trace::Volume volume_of(const Vec3& center, const Vec3& direction, const Vec3& a
             double(radius)};
 }
 
+// What one thread's shapes ask of the host and count.
+class Witness {
+public:
+    Witness(const scene::Snapshot& snapshot, const Request& request)
+        : names_(snapshot), accept_(request.selection.accept) {
+        if (accept_) {
+            watch_.accepts = accepts;
+            watch_.context = this;
+        }
+        if (request.counters) watch_.counters = &counters_;
+        is_needed_ = accept_ || request.counters;
+    }
+    Witness(const Witness&) = delete;
+    Witness& operator=(const Witness&) = delete;
+
+    void begin_shape(uint64_t index) { index_ = index; }
+    const trace::Watch* watch() const { return is_needed_ ? &watch_ : nullptr; }
+    const trace::Counters& counters() const { return counters_; }
+
+private:
+    static bool accepts(void* context, uint32_t mesh, uint32_t primitive) {
+        const auto& self = *static_cast<const Witness*>(context);
+        const Hit candidate = {0, 0, 0, primitive, self.names_.mesh(mesh), 0, 0};
+        return self.accept_.ask(self.accept_.user, self.index_, candidate);
+    }
+
+    HitNames names_;
+    const Accept& accept_;
+    trace::Watch watch_;
+    trace::Counters counters_;
+    uint64_t index_ = 0;
+    bool is_needed_;
+};
+
 struct Prepared {
     trace::OverlapQuery query;
     trace::Volume volume;
 };
 
-Prepared prepare(const Shape& shape, const trace::Filter& filter) {
+Prepared prepare(const Shape& shape, const trace::Filter& filter, const trace::Watch* watch) {
     Prepared out;
     out.query.filter = filter;
+    out.query.watch = watch;
     out.query.shape.kind = trace::Shape::Kind(shape.kind);
     out.query.shape.center = Vec3d(shape.center);
     if (shape.kind == Shape::box) {
@@ -59,19 +97,22 @@ Prepared prepare(const Shape& shape, const trace::Filter& filter) {
     return out;
 }
 
-SweepHit sweep_one(const trace::World& world, const HitNames& names, const Sweep& sweep,
-                   const trace::Filter& filter, bool skip_separating) {
+// `record` is as the host placed it, and so is the answer.
+SweepHit sweep_one(const trace::World& world, const HitNames& names, const Sweep& record,
+                   const Sweep& sweep, const trace::Filter& filter, bool skip_separating,
+                   const trace::Watch* watch) {
     const trace::SweepQuery query{{sweep.center, sweep.axis, sweep.direction, sweep.radius},
                                   filter,
                                   sweep.t_max,
-                                  skip_separating};
+                                  skip_separating,
+                                  watch};
     const trace::FirstHit hit = trace::sweep(
         world, volume_of(sweep.center, sweep.direction, sweep.axis, sweep.radius), query);
     const HitIds ids = names.of(hit.triangle);
     if (hit.triangle == geometry::kNoTriangle)
         return {hit.t, Vec3(0), Vec3(0), 0, ids.triangle, ids.mesh, 0};
     return {hit.t,
-            Vec3(Vec3d(sweep.center) + hit.contact.point),
+            Vec3(Vec3d(record.center) + hit.contact.point),
             Vec3(hit.contact.normal),
             hit.depth,
             ids.triangle,
@@ -100,16 +141,17 @@ uint32_t collect(const trace::World& world, const HitNames& names, const Prepare
     return count;
 }
 
-NearestPoint nearest_one(const trace::World& world, const HitNames& names, const Point& point,
-                         const trace::Filter& filter) {
-    const trace::NearestQuery query{Vec3d(point.position), filter, point.radius};
+NearestPoint nearest_one(const trace::World& world, const HitNames& names, const Point& record,
+                         const Point& point, const trace::Filter& filter,
+                         const trace::Watch* watch) {
+    const trace::NearestQuery query{Vec3d(point.position), filter, point.radius, watch};
     const trace::NearestHit hit =
         trace::nearest(world, volume_of(point.position, Vec3(0), Vec3(0), point.radius), query);
     const HitIds ids = names.of(hit.triangle);
     if (hit.triangle == geometry::kNoTriangle)
         return {hit.distance, Vec3(0), Vec3(0), 0, 0, ids.triangle, ids.mesh};
     return {hit.distance,
-            Vec3(Vec3d(point.position) + hit.at),
+            Vec3(Vec3d(record.position) + hit.at),
             Vec3(hit.normal),
             hit.u,
             hit.v,
@@ -117,45 +159,69 @@ NearestPoint nearest_one(const trace::World& world, const HitNames& names, const
             ids.mesh};
 }
 
+// Calls work(i, record i, filter, watch) for all of them.
+template <class Record, class Work>
+void for_each(const scene::Snapshot& snapshot, const Placed<Record>& records,
+              const Request& request, Work&& work) {
+    check_each(records);
+    const Chosen chosen(snapshot, request.selection);
+    TotalCounters total;
+    spread(request.selection.accept ? nullptr : request.scheduler, records.count,
+           [&](uint64_t first, uint64_t end) {
+               Witness witness(snapshot, request);
+               for (uint64_t i = first; i < end; ++i) {
+                   witness.begin_shape(i);
+                   work(i, records.load(i), chosen.filter(), witness.watch());
+               }
+               total.add(witness.counters());
+           });
+    if (request.counters) *request.counters += total.get();
+}
+
+using Filter = trace::Filter;
+using Watch = trace::Watch;
+
 } // namespace
 
-void sweep(const scene::Snapshot& snapshot, const Strided<Sweep>& sweeps,
-           const Selection& selection, const Strided<SweepHit>& hits) {
-    check_each(sweeps);
-    const trace::Filter filter = make_filter(snapshot, selection);
+void sweep(const scene::Snapshot& snapshot, const Placed<Sweep>& sweeps, const Request& request,
+           const Strided<SweepHit>& hits) {
     const HitNames names(snapshot);
-    for (uint64_t i = 0; i < sweeps.count; ++i)
-        hits.store(
-            i, sweep_one(snapshot.world, names, sweeps.load(i), filter, selection.skip_separating));
+    const bool skip = request.selection.skip_separating;
+    for_each(snapshot, sweeps, request,
+             [&](uint64_t i, const Sweep& sweep, const Filter& filter, const Watch* watch) {
+                 hits.store(i, sweep_one(snapshot.world, names, sweep, sweeps.moved(sweep), filter,
+                                         skip, watch));
+             });
 }
 
-void overlap_any(const scene::Snapshot& snapshot, const Strided<Shape>& shapes,
-                 const Selection& selection, const Strided<uint8_t>& overlaps) {
-    check_each(shapes);
-    const trace::Filter filter = make_filter(snapshot, selection);
-    for (uint64_t i = 0; i < shapes.count; ++i) {
-        const Prepared shape = prepare(shapes.load(i), filter);
-        overlaps.store(i, trace::overlaps(snapshot.world, shape.volume, shape.query));
-    }
+void overlap_any(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
+                 const Request& request, const Strided<uint8_t>& overlaps) {
+    for_each(snapshot, shapes, request,
+             [&](uint64_t i, const Shape& shape, const Filter& filter, const Watch* watch) {
+                 const Prepared prepared = prepare(shapes.moved(shape), filter, watch);
+                 overlaps.store(i,
+                                trace::overlaps(snapshot.world, prepared.volume, prepared.query));
+             });
 }
 
-void overlap_all(const scene::Snapshot& snapshot, const Strided<Shape>& shapes,
-                 const Selection& selection, const OverlapLists& lists) {
-    check_each(shapes);
-    const trace::Filter filter = make_filter(snapshot, selection);
+void overlap_all(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
+                 const Request& request, const OverlapLists& lists) {
     const HitNames names(snapshot);
-    for (uint64_t i = 0; i < shapes.count; ++i)
-        lists.counts.store(
-            i, collect(snapshot.world, names, prepare(shapes.load(i), filter), lists, i));
+    for_each(snapshot, shapes, request,
+             [&](uint64_t i, const Shape& shape, const Filter& filter, const Watch* watch) {
+                 const Prepared prepared = prepare(shapes.moved(shape), filter, watch);
+                 lists.counts.store(i, collect(snapshot.world, names, prepared, lists, i));
+             });
 }
 
-void nearest(const scene::Snapshot& snapshot, const Strided<Point>& points,
-             const Selection& selection, const Strided<NearestPoint>& nearest) {
-    check_each(points);
-    const trace::Filter filter = make_filter(snapshot, selection);
+void nearest(const scene::Snapshot& snapshot, const Placed<Point>& points, const Request& request,
+             const Strided<NearestPoint>& nearest) {
     const HitNames names(snapshot);
-    for (uint64_t i = 0; i < points.count; ++i)
-        nearest.store(i, nearest_one(snapshot.world, names, points.load(i), filter));
+    for_each(snapshot, points, request,
+             [&](uint64_t i, const Point& point, const Filter& filter, const Watch* watch) {
+                 nearest.store(i, nearest_one(snapshot.world, names, point, points.moved(point),
+                                              filter, watch));
+             });
 }
 
 } // namespace peregrine::query

@@ -72,6 +72,29 @@ struct NearestPoint {
 };
 static_assert(sizeof(NearestPoint) == 48);
 
+inline math::Vec3& place_of(Sweep& sweep) {
+    return sweep.center;
+}
+inline math::Vec3& place_of(Shape& shape) {
+    return shape.center;
+}
+inline math::Vec3& place_of(Point& point) {
+    return point.position;
+}
+
+// Records that are relative to a point: their own place and this are added in double, and the sum
+// is rounded to float.
+template <class Record>
+struct Placed : Strided<Record> {
+    math::Vec3d origin{0};
+
+    // The record as the snapshot counts positions.
+    Record moved(Record record) const {
+        place_of(record) = math::Vec3(math::Vec3d(place_of(record)) + origin);
+        return record;
+    }
+};
+
 // Where the triangles go that each shape touches: those of shape i from element i * most on, in
 // ascending order of (mesh slot, triangle), no more than `most`. `counts` has them all.
 struct OverlapLists {
@@ -90,13 +113,13 @@ geometry::Cuboid cuboid_of(const Shape& box);
 // Throw base::Error invalid_argument that names the first record, and its field, which is out of
 // range: NaN, infinite or beyond 1e30; a negative radius or size; a direction or a rotation of 0.
 // Only t_max may be infinite. Nothing is written then.
-void sweep(const scene::Snapshot& snapshot, const Strided<Sweep>& sweeps,
-           const Selection& selection, const Strided<SweepHit>& hits);
-void overlap_any(const scene::Snapshot& snapshot, const Strided<Shape>& shapes,
-                 const Selection& selection, const Strided<uint8_t>& overlaps);
-void overlap_all(const scene::Snapshot& snapshot, const Strided<Shape>& shapes,
-                 const Selection& selection, const OverlapLists& lists);
-void nearest(const scene::Snapshot& snapshot, const Strided<Point>& points,
-             const Selection& selection, const Strided<NearestPoint>& nearest);
+void sweep(const scene::Snapshot& snapshot, const Placed<Sweep>& sweeps, const Request& request,
+           const Strided<SweepHit>& hits);
+void overlap_any(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
+                 const Request& request, const Strided<uint8_t>& overlaps);
+void overlap_all(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
+                 const Request& request, const OverlapLists& lists);
+void nearest(const scene::Snapshot& snapshot, const Placed<Point>& points, const Request& request,
+             const Strided<NearestPoint>& nearest);
 
 } // namespace peregrine::query

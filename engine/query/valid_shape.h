@@ -10,8 +10,11 @@ void check(uint64_t index, const Shape& shape);
 void check(uint64_t index, const Point& point);
 
 template <class Record>
-void check_each(const Strided<Record>& records) {
-    for (uint64_t i = 0; i < records.count; ++i) check(i, records.load(i));
+void check_each(const Placed<Record>& records) {
+    for (uint64_t i = 0; i < records.count; ++i) {
+        check(i, records.load(i));
+        check(i, records.moved(records.load(i)));
+    }
 }
 
 } // namespace peregrine::query

@@ -10,6 +10,8 @@ BuildChoice BuildChoice::relevant() const {
     BuildChoice choice;
     choice.structure = structure;
     if (structure == trace::Structure::bvh) choice.quality = quality;
+    if (structure == trace::Structure::bih && quality == accel::bvh::Quality::fast)
+        choice.quality = quality;
     if (structure == trace::Structure::kdtree) choice.empty_bonus = empty_bonus;
     return choice;
 }
@@ -25,9 +27,12 @@ void build_structure(const BuildChoice& choice, base::Scheduler& scheduler,
             accel::kdtree::build(geometry.triangles, build, scheduler, progress, memory);
         return;
     }
-    case trace::Structure::bih:
-        geometry.bih = accel::bih::build(geometry.triangles, {}, scheduler, progress, memory);
+    case trace::Structure::bih: {
+        accel::bih::BuildOptions build;
+        build.fast = choice.quality == accel::bvh::Quality::fast;
+        geometry.bih = accel::bih::build(geometry.triangles, build, scheduler, progress, memory);
         return;
+    }
     case trace::Structure::bvh:
         accel::bvh::BuildOptions build;
         build.quality = choice.quality;

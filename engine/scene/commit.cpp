@@ -46,6 +46,7 @@ void Commit::show_meshes() {
         shown.data = mesh.data;
         shown.materials = materials.materials;
         shown.user_data = mesh.user_data;
+        moving_ += mesh.kind != MeshKind::fixed;
         if (mesh.kind == MeshKind::rigid) {
             shown.placement = uint32_t(snapshot_.placements.size());
             snapshot_.placements.push_back(mesh.placement);
@@ -60,6 +61,7 @@ void Commit::show_lights() {
     for (const auto& slot : scene_.lights.slots())
         if (slot.object) {
             snapshot_.lights.push_back(*slot.object);
+            snapshot_.lights.back().position -= scene_.origin();
             snapshot_.features |= features_of(*slot.object);
         }
     snapshot_.environment = scene_.environment;
@@ -77,12 +79,10 @@ void Commit::place_instances() {
     trace::World& world = snapshot_.world;
     world.fixed = part_of(*snapshot_.fixed, 0);
     uint64_t first = snapshot_.fixed->infos.size();
-    world.deforming = part_of(*snapshot_.deforming, first);
-    first += snapshot_.deforming->infos.size();
+    world.first_moving = uint32_t(first);
 
-    snapshot_.instances.reserve(snapshot_.placements.size());
-    if (snapshot_.features & kAlphaMask)
-        snapshot_.instance_alphas.reserve(snapshot_.placements.size());
+    snapshot_.instances.reserve(moving_);
+    if (snapshot_.features & kAlphaMask) snapshot_.instance_alphas.reserve(moving_);
     scene_.extents_.clear();
     auto& slots = scene_.meshes.slots();
     for (uint32_t i = 0; i < slots.size(); ++i) {
@@ -92,8 +92,9 @@ void Commit::place_instances() {
         snapshot_.meshes[i].shape = shape;
         if (mesh.hidden || shape->infos.empty()) continue;
         if (!mesh.extent_is_known) {
-            mesh.extent =
-                trace::extent_of(mesh.placement.to_world, mesh.placement.to_local, shape->bounds());
+            mesh.extent = mesh.kind == MeshKind::rigid ? trace::extent_of(
+                              mesh.placement.to_world, mesh.placement.to_local, shape->bounds())
+                                                       : trace::extent_of(shape->bounds());
             mesh.extent_is_known = true;
         }
         if (!is_usable(mesh.extent)) {
@@ -105,32 +106,36 @@ void Commit::place_instances() {
             snapshot_.instance_alphas.push_back({&snapshot_, i});
             alpha = alpha_test(snapshot_.instance_alphas.back());
         }
+        const bool is_rigid = mesh.kind == MeshKind::rigid;
+        const Placement* const placement = snapshot_.placement_of(snapshot_.meshes[i]);
         snapshot_.instances.push_back(
-            {mesh.placement.to_local, part_of(*shape, first), i, mesh.layer_mask, alpha,
-             &snapshot_.placement_of(snapshot_.meshes[i])->to_world, mesh.placement.mirrored});
+            {mesh.placement.to_local, part_of(*shape, first), i, mesh.layer_mask, alpha, is_rigid,
+             is_rigid ? &placement->to_world : nullptr, is_rigid && placement->mirrored});
+        rigid_count_ += is_rigid;
         first += shape->infos.size();
         scene_.extents_.push_back(mesh.extent);
     }
     if (snapshot_.instances.size() > accel::instances::kMaxInstances)
         base::fail(base::Code::limit,
-                   "the scene has %zu rigid meshes and instances; at most %u are supported",
+                   "the scene has %zu dynamic and rigid meshes and instances; at most %u are "
+                   "supported",
                    snapshot_.instances.size(), accel::instances::kMaxInstances);
-    accel::instances::build(scene_.extents_, scene_.order_, snapshot_.instance_nodes);
+    accel::instances::build(scene_.extents_, scene_.places_, snapshot_.instance_nodes);
     world.instances = snapshot_.instances.data();
     world.instance_count = uint32_t(snapshot_.instances.size());
     world.nodes = snapshot_.instances.empty() ? nullptr : snapshot_.instance_nodes.data();
-    world.moves = world.nodes || !world.deforming.empty();
 }
 
 void Commit::find_bounds() {
     trace::World& world = snapshot_.world;
     world.bounds = world.fixed.target.bounds;
-    world.bounds.extend(world.deforming.target.bounds);
     if (world.nodes) world.bounds.extend(world.nodes[0].extent.box);
 }
 
 void Commit::prepare() {
     snapshot_.version = scene_.version_ + 1;
+    snapshot_.origin = scene_.origin();
+    snapshot_.displaced = snapshot_.origin != math::Vec3d(0);
     show_materials();
     show_meshes();
     show_lights();
@@ -143,9 +148,8 @@ void Commit::prepare() {
 
 void Commit::remember() noexcept {
     scene_.fixed_ = snapshot_.fixed;
-    scene_.deforming_ = snapshot_.deforming;
     scene_.fixed_build_ = options_.build.relevant();
-    scene_.fixed_changed_ = scene_.deforming_changed_ = false;
+    scene_.fixed_changed_ = false;
     ++scene_.version_;
 }
 

@@ -18,31 +18,40 @@ public:
 private:
     using GeometryPointer = std::shared_ptr<const Geometry>;
 
-    // A structure to be built: over all meshes of a kind, or a rigid mesh's own.
+    // A structure to be built: over all fixed meshes, or over one that moves.
     struct Work {
         MeshKind kind;
-        Shape* shape;
-        uint32_t slot; // of the rigid mesh
+        Shape* shape;  // null: of the fixed ones
+        uint32_t slot; // of the one that moves
         BuildChoice choice;
         uint64_t triangles;
     };
+    using Works = base::Vector<Work>;
 
     void show_materials();
     void show_meshes();
     void show_lights();
     void build_structures();
-    Work work_for(MeshKind kind, const BuildChoice& choice) const;
-    GeometryPointer build(const Work& work, const base::Progress& progress) const;
+    Works find_works();
+    uint64_t fixed_triangles() const;
+    GeometryPointer build(const Work& work, base::Scheduler& scheduler,
+                          const base::Progress& progress) const;
+    void keep(const Work& work, GeometryPointer geometry);
+    void build_small_ones(Works& works);
     void place_instances();
     void find_bounds();
     void count(const MeshDescription& mesh, CommitReport& report) const;
+    void count(const Geometry& shape, MeshKind kind, CommitReport& report) const;
     trace::Part part_of(const Geometry& geometry, uint64_t first) const;
 
     Scene& scene_;
     const CommitOptions& options_;
     Snapshot& snapshot_;
     const uint64_t number_;
-    uint64_t unusable_ = 0; // triangles of instances that are left out
+    uint64_t unusable_ = 0;    // triangles of instances that are left out
+    uint32_t moving_ = 0;      // meshes, hidden ones as well
+    uint32_t rigid_count_ = 0; // instances
+    bool deforming_built_ = false;
 };
 
 } // namespace peregrine::scene

@@ -4,38 +4,67 @@
 #include "scene/build.h"
 #include "scene/collect.h"
 
+#include <algorithm>
+
 namespace peregrine::scene {
 namespace {
 
-// What deforms is built at every commit that follows a change, a rigid mesh once.
+// What deforms is built again after each change, a rigid mesh once.
 constexpr BuildChoice kDeformingBuild = {trace::Structure::bih, accel::bvh::Quality::fast, 0};
-constexpr BuildChoice kShapeBuild = {trace::Structure::bvh, accel::bvh::Quality::balanced, 0};
+constexpr BuildChoice kRigidBuild = {trace::Structure::bvh, accel::bvh::Quality::balanced, 0};
 
-bool is_seen(const std::optional<MeshDescription>& mesh, MeshKind kind) {
-    return mesh && mesh->kind == kind && !mesh->hidden;
-}
+constexpr uint64_t kFewTriangles = 4096; // not worth more than one thread
 
 void check_count(uint64_t triangles, MeshKind kind) {
-    constexpr const char* kNames[] = {"the static meshes have", "the dynamic meshes have",
+    constexpr const char* kNames[] = {"the static meshes have", "a dynamic mesh has",
                                       "a rigid mesh has"};
     if (triangles > kMostTriangles)
         base::fail(base::Code::limit, "%s %llu triangles; at most 2^27 are supported",
                    kNames[uint32_t(kind)], static_cast<unsigned long long>(triangles));
 }
 
-} // namespace
-
-Commit::Work Commit::work_for(MeshKind kind, const BuildChoice& choice) const {
-    uint64_t triangles = 0;
-    for (const auto& slot : scene_.meshes.slots())
-        if (is_seen(slot.object, kind)) triangles += slot.object->data->triangles().size();
-    return {kind, nullptr, 0, choice, triangles};
+bool is_fixed(const std::optional<MeshDescription>& mesh) {
+    return mesh && mesh->kind == MeshKind::fixed && !mesh->hidden;
 }
 
-Commit::GeometryPointer Commit::build(const Work& work, const base::Progress& progress) const {
+} // namespace
+
+uint64_t Commit::fixed_triangles() const {
+    uint64_t triangles = 0;
+    for (const auto& slot : scene_.meshes.slots())
+        if (is_fixed(slot.object)) triangles += slot.object->data->triangles().size();
+    return triangles;
+}
+
+Commit::Works Commit::find_works() {
+    Works works(&scene_.recycled);
+    if (!scene_.fixed_ || scene_.fixed_changed_ || scene_.fixed_build_ != options_.build.relevant())
+        works.push_back({MeshKind::fixed, nullptr, 0, options_.build, fixed_triangles()});
+    auto& slots = scene_.meshes.slots();
+    for (uint32_t i = 0; i < slots.size(); ++i) {
+        if (!slots[i].object || !slots[i].object->shape) continue;
+        const MeshDescription& mesh = *slots[i].object;
+        Shape& shape = *mesh.shape;
+        if (shape.geometry && shape.flags_version == scene_.flags_version_) continue;
+        if (mesh.kind == MeshKind::deforming && mesh.hidden) continue;
+        if (shape.awaited_by == number_) continue; // by another instance
+        shape.awaited_by = number_;
+        works.push_back({mesh.kind, &shape, i,
+                         mesh.kind == MeshKind::rigid ? kRigidBuild : kDeformingBuild,
+                         mesh.data->triangles().size()});
+    }
+    return works;
+}
+
+Commit::GeometryPointer Commit::build(const Work& work, base::Scheduler& scheduler,
+                                      const base::Progress& progress) const {
     check_count(work.triangles, work.kind);
-    const auto geometry = std::allocate_shared<Geometry>(
-        std::pmr::polymorphic_allocator<Geometry>(&scene_.memory), &scene_.memory);
+    // What is built once is not to leave its memory idle.
+    base::Memory* const memory = work.kind == MeshKind::deforming
+                                     ? static_cast<base::Memory*>(&scene_.recycled)
+                                     : &scene_.memory;
+    const auto geometry =
+        std::allocate_shared<Geometry>(std::pmr::polymorphic_allocator<Geometry>(memory), memory);
     geometry->triangles.reserve(work.triangles);
     geometry->infos.reserve(work.triangles);
     const auto collect = [&](uint32_t slot, uint32_t name) {
@@ -47,29 +76,39 @@ Commit::GeometryPointer Commit::build(const Work& work, const base::Progress& pr
         collect(work.slot, 0); // instances have names of their own
     else
         for (uint32_t i = 0; i < slots.size(); ++i)
-            if (is_seen(slots[i].object, work.kind)) collect(i, i);
-    build_structure(work.choice, scene_.scheduler, progress, &scene_.memory, *geometry);
+            if (is_fixed(slots[i].object)) collect(i, i);
+    build_structure(work.choice, scheduler, progress, memory, *geometry);
     return geometry;
 }
 
-void Commit::build_structures() {
-    base::Vector<Work> works(&scene_.memory);
-    snapshot_.fixed = scene_.fixed_;
-    snapshot_.deforming = scene_.deforming_;
-    if (!scene_.fixed_ || scene_.fixed_changed_ || scene_.fixed_build_ != options_.build.relevant())
-        works.push_back(work_for(MeshKind::fixed, options_.build));
-    if (!scene_.deforming_ || scene_.deforming_changed_)
-        works.push_back(work_for(MeshKind::deforming, kDeformingBuild));
-    auto& slots = scene_.meshes.slots();
-    for (uint32_t i = 0; i < slots.size(); ++i) {
-        Shape* const shape = slots[i].object ? slots[i].object->shape.get() : nullptr;
-        if (!shape || (shape->geometry && shape->flags_version == scene_.flags_version_)) continue;
-        if (shape->awaited_by == number_) continue; // by another instance
-        shape->awaited_by = number_;
-        works.push_back(
-            {MeshKind::rigid, shape, i, kShapeBuild, slots[i].object->data->triangles().size()});
+void Commit::keep(const Work& work, GeometryPointer geometry) {
+    if (!work.shape) {
+        snapshot_.fixed = std::move(geometry);
+        return;
     }
+    work.shape->geometry = std::move(geometry);
+    work.shape->flags_version = scene_.flags_version_;
+}
 
+// A thread each, and no progress to tell.
+void Commit::build_small_ones(Works& works) {
+    const auto small = std::partition(works.begin(), works.end(), [](const Work& work) {
+        return work.kind != MeshKind::deforming || work.triangles > kFewTriangles;
+    });
+    const auto count = uint32_t(works.end() - small);
+    scene_.scheduler.for_each(count, [&](uint32_t i) {
+        base::Scheduler alone(1, {}, &scene_.recycled);
+        keep(small[i], build(small[i], alone, {}));
+    });
+    works.erase(small, works.end());
+}
+
+void Commit::build_structures() {
+    snapshot_.fixed = scene_.fixed_;
+    Works works = find_works();
+    deforming_built_ = std::ranges::any_of(
+        works, [](const Work& work) { return work.kind == MeshKind::deforming; });
+    build_small_ones(works);
     uint64_t total = 0, done = 0;
     for (const Work& work : works) total += work.triangles;
     const auto fraction = [&](uint64_t part) {
@@ -77,15 +116,8 @@ void Commit::build_structures() {
     };
     for (const Work& work : works) {
         base::PartProgress part(options_.progress, fraction(done), fraction(work.triangles));
-        GeometryPointer geometry = build(work, part.progress());
+        keep(work, build(work, scene_.scheduler, part.progress()));
         done += work.triangles;
-        if (work.shape) {
-            work.shape->geometry = std::move(geometry);
-            work.shape->flags_version = scene_.flags_version_;
-        } else {
-            (work.kind == MeshKind::fixed ? snapshot_.fixed : snapshot_.deforming) =
-                std::move(geometry);
-        }
     }
 }
 

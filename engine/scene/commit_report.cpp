@@ -26,17 +26,15 @@ uint64_t texture_bytes(const MaterialSet& set) {
 CommitReport Commit::report() {
     CommitReport report;
     report.fixed = snapshot_.fixed;
-    report.deforming = snapshot_.deforming;
     report.build = options_.build;
     report.features = snapshot_.features;
     report.bytes_textures = texture_bytes(*snapshot_.material_set);
-    report.instance_count = snapshot_.world.instance_count;
+    report.instance_count = rigid_count_;
     report.light_count = uint32_t(snapshot_.lights.size());
     report.fixed_rebuilt = snapshot_.fixed != scene_.fixed_;
-    report.deforming_rebuilt = snapshot_.deforming != scene_.deforming_;
-    report.degenerate_count = report.fixed->degenerate_count + report.deforming->degenerate_count;
-    report.non_finite_count =
-        report.fixed->non_finite_count + report.deforming->non_finite_count + unusable_;
+    report.deforming_rebuilt = deforming_built_;
+    report.degenerate_count = report.fixed->degenerate_count;
+    report.non_finite_count = report.fixed->non_finite_count + unusable_;
     for (auto& slot : scene_.meshes.slots())
         if (slot.object) count(*slot.object, report);
     return report;
@@ -47,15 +45,22 @@ void Commit::count(const MeshDescription& mesh, CommitReport& report) const {
     if (mesh.shape) {
         if (mesh.shape->counted_by == number_) return;
         mesh.shape->counted_by = number_;
-        const Geometry& shape = *mesh.shape->geometry;
-        report.shape_triangles += shape.infos.size();
-        report.shape_bytes +=
-            bytes_of(shape.infos) + bytes_of(shape.bvh.nodes) + bytes_of(shape.bvh.blocks);
-        report.degenerate_count += shape.degenerate_count;
-        report.non_finite_count += shape.non_finite_count;
+        if (mesh.shape->geometry && !(mesh.hidden && mesh.kind == MeshKind::deforming))
+            count(*mesh.shape->geometry, mesh.kind, report);
     }
     const ShownMaterials& shown = mesh.shape ? mesh.shape->shown : mesh.shown;
     report.bytes_attributes += attribute_bytes(*mesh.data) + bytes_of(shown.materials->each);
+}
+
+void Commit::count(const Geometry& shape, MeshKind kind, CommitReport& report) const {
+    (kind == MeshKind::rigid ? report.rigid_triangles : report.deforming_triangles) +=
+        shape.infos.size();
+    if (kind == MeshKind::deforming) report.deforming_build_ms += shape.bih.report.build_ms;
+    report.shape_bytes += bytes_of(shape.infos) + bytes_of(shape.triangles)
+                          + bytes_of(shape.bvh.nodes) + bytes_of(shape.bvh.blocks)
+                          + bytes_of(shape.bih.nodes) + bytes_of(shape.bih.references);
+    report.degenerate_count += shape.degenerate_count;
+    report.non_finite_count += shape.non_finite_count;
 }
 
 } // namespace peregrine::scene

@@ -8,8 +8,8 @@ namespace {
 
 template <class T>
 std::shared_ptr<T> allocate(Scene& scene) {
-    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(&scene.memory),
-                                   &scene.memory);
+    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(&scene.recycled),
+                                   &scene.recycled);
 }
 
 void resolve(Scene& scene, TextureUse& use, Handle texture, Handle material) {

@@ -19,12 +19,13 @@ uint32_t next_first_generation() {
 } // namespace
 
 Scene::Scene(const SceneOptions& options)
-    : first_generation_(next_first_generation()), memory(options.memory),
+    : first_generation_(next_first_generation()), memory(options.memory), recycled(&memory),
       scheduler(options.worker_count, options.host_scheduler, &memory),
       textures(first_generation_, &memory), materials(first_generation_, &memory),
-      meshes(first_generation_, &memory), lights(first_generation_, &memory), snapshots(&memory),
+      meshes(first_generation_, &memory), lights(first_generation_, &memory),
+      snapshots(first_generation_, &recycled),
       isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa), extents_(&memory),
-      order_(&memory) {
+      places_(&memory) {
     if (!base::machine_has(isa_))
         base::fail(base::Code::unsupported,
                    "this machine or build lacks the instruction set %u that the scene asks for",
@@ -40,15 +41,22 @@ CommitReport Scene::commit(const CommitOptions& options) {
     CommitReport report = commit.report();
     commit.remember();
     draft.publish();
+    recycled.trim();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     report.commit_ms = elapsed.count();
     return report;
 }
 
+void Scene::set_origin(const math::Vec3d& origin) {
+    origin_ = origin;
+    for (auto& slot : meshes.slots())
+        if (slot.object && slot.object->kind == MeshKind::rigid)
+            slot.object->stand(slot.object->transform, origin_);
+}
+
 void Scene::touch_flags() {
     touch_triangles(MeshKind::fixed);
-    touch_triangles(MeshKind::deforming);
     ++flags_version_;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "accel/bvh/builder.h"
+#include "accel/instances/builder.h"
 #include "base/memory.h"
 #include "base/progress.h"
+#include "base/recycling_memory.h"
 #include "base/scheduler.h"
 #include "base/slot_map.h"
 #include "scene/light.h"
@@ -25,8 +27,8 @@ struct ShownMaterials {
     uint64_t version = 0; // of Scene::materials_version_
 };
 
-// The triangles of a rigid mesh in its own space, built by the first commit that shows them and
-// shared by its instances.
+// The triangles of a mesh that moves, in its own space, built by the first commit that shows them;
+// shared by instances of a rigid mesh, built again after each update of a deforming one.
 struct Shape {
     ShownMaterials shown;
     std::shared_ptr<const Geometry> geometry; // null: yet to be built
@@ -42,13 +44,20 @@ struct MeshDescription {
     MeshKind kind = MeshKind::fixed;
     uint64_t user_data = 0;
     bool hidden = false;
-    std::shared_ptr<Shape> shape = {}; // of a rigid mesh, and where it stands
-    Placement placement = {};
+    std::shared_ptr<Shape> shape = {}; // unless it is fixed
+    math::Affine transform = {};       // where a rigid mesh stands: absolute, ...
+    Placement placement = {};          // ... and relative to Scene::origin()
 
     // What commits found out and keep until it changes.
     ShownMaterials shown = {};            // of a mesh without a shape
-    accel::instances::Extent extent = {}; // of a rigid mesh
+    accel::instances::Extent extent = {}; // of a mesh with one
     bool extent_is_known = false;
+
+    void stand(const math::Affine& at, const math::Vec3d& origin) {
+        transform = at;
+        placement = place(at, origin);
+        extent_is_known = false;
+    }
 };
 
 // A material whose textures are still handles: commit resolves them.
@@ -77,12 +86,13 @@ struct CommitOptions {
 };
 
 struct CommitReport {
-    std::shared_ptr<const Geometry> fixed; // for their trees' reports
-    std::shared_ptr<const Geometry> deforming;
+    std::shared_ptr<const Geometry> fixed; // for its tree's report
     BuildChoice build;
     uint32_t features = 0;
-    uint64_t shape_triangles = 0;  // of rigid meshes; instances of one count once, here and below
-    uint64_t shape_bytes = 0;      // of their triangles and nodes
+    uint64_t rigid_triangles = 0; // instances of a mesh count once, here and below
+    uint64_t deforming_triangles = 0;
+    uint64_t shape_bytes = 0;      // of the triangles and nodes of both
+    double deforming_build_ms = 0; // of all, whenever each was built
     uint64_t degenerate_count = 0; // of all kinds, and so ...
     uint64_t non_finite_count = 0;
     uint64_t bytes_attributes = 0;
@@ -112,6 +122,7 @@ private:
 public:
     // In front of all that it serves, so that it goes last.
     base::HostMemory memory;
+    base::RecyclingMemory recycled; // for what commits and updates make again and again
     base::Scheduler scheduler;
 
     base::SlotMap<std::shared_ptr<const Texture>> textures;
@@ -121,11 +132,15 @@ public:
     Environment environment;
     SnapshotStore snapshots;
 
-    // To be called when triangles of a kind of meshes came, went or moved: the next commit builds
-    // their structure anew. Rigid meshes have theirs, wherever they stand.
+    // What snapshots are relative to from the next commit on. Fixed and deforming meshes already
+    // are.
+    void set_origin(const math::Vec3d& origin);
+    const math::Vec3d& origin() const { return origin_; }
+
+    // To be called when meshes of a kind came or went: the next commit builds the structure of the
+    // fixed ones anew. Others have their own.
     void touch_triangles(MeshKind kind) {
         if (kind == MeshKind::fixed) fixed_changed_ = true;
-        if (kind == MeshKind::deforming) deforming_changed_ = true;
     }
     // ... when a material or a texture changed in any way.
     void touch_materials() { ++materials_version_; }
@@ -141,19 +156,18 @@ private:
     using Extents = base::Vector<accel::instances::Extent>;
 
     base::Isa isa_; // never `best`
+    math::Vec3d origin_{0};
     std::shared_ptr<const Geometry> fixed_;
-    std::shared_ptr<const Geometry> deforming_;
     std::shared_ptr<const MaterialSet> material_set_;
     BuildChoice fixed_build_; // what is relevant of it
     bool fixed_changed_ = true;
-    bool deforming_changed_ = true;
     uint64_t materials_version_ = 1;
     uint64_t material_set_version_ = 0; // of materials_version_ that material_set_ shows
     uint64_t flags_version_ = 1;
     uint64_t version_ = 0;
     uint64_t commits_begun_ = 0;
     Extents extents_; // room for commits to work in
-    base::Vector<uint32_t> order_;
+    base::Vector<accel::instances::Place> places_;
 };
 
 } // namespace peregrine::scene

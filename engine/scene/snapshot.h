@@ -1,14 +1,15 @@
 #pragma once
 
 #include "base/memory.h"
-#include "math/affine.h"
 #include "scene/features.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
 #include "scene/material_set.h"
 #include "scene/mesh.h"
+#include "scene/placement.h"
 #include "trace/world/world.h"
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -16,14 +17,6 @@
 namespace peregrine::scene {
 
 struct Snapshot;
-
-// Where a rigid mesh stands.
-struct Placement {
-    math::Affine to_world;
-    math::Affine to_local;
-    double condition = 1; // the product of their norms: how much errors may grow
-    bool mirrored = false;
-};
 
 // Whose alpha an instance's test asks about.
 struct InstanceAlpha {
@@ -36,7 +29,7 @@ struct Snapshot {
     struct Mesh {
         std::shared_ptr<const MeshData> data; // null: the slot is free
         std::shared_ptr<const MeshMaterials> materials;
-        std::shared_ptr<const Geometry> shape; // of a rigid mesh, in its own space
+        std::shared_ptr<const Geometry> shape; // of a mesh that moves, in its own space
         uint32_t placement = kNotPlaced;       // of a rigid mesh: index in `placements`
         uint32_t generation = 0;
         uint64_t user_data = 0;
@@ -57,8 +50,7 @@ struct Snapshot {
     }
     base::Isa isa() const { return world.fixed.kernels->isa; }
 
-    std::shared_ptr<const Geometry> fixed; // of all fixed meshes, and ...
-    std::shared_ptr<const Geometry> deforming;
+    std::shared_ptr<const Geometry> fixed; // of all fixed meshes
     std::shared_ptr<const MaterialSet> material_set;
     trace::World world;                 // into these and the shapes of the meshes
     base::Vector<Mesh> meshes;          // by slot
@@ -66,12 +58,15 @@ struct Snapshot {
     base::Vector<uint32_t> generations; // by slot, for hits
     base::Vector<Light> lights;
     base::Vector<Placement> placements;
-    base::Vector<trace::Instance> instances; // of rigid meshes that are not hidden
+    base::Vector<trace::Instance> instances; // of meshes that move and are not hidden
     base::Vector<accel::instances::Node> instance_nodes;
     base::Vector<InstanceAlpha> instance_alphas; // beside `instances`; empty if nothing is masked
     Environment environment;
     uint32_t features = 0; // Feature bits that the scene has
     uint64_t version = 0;
+    math::Vec3d origin{0};          // that everything above is relative to, and ...
+    bool displaced = false;         // ... whether it is not (0, 0, 0)
+    std::atomic<uint32_t> holds{0}; // handles of the host that keep it: the store's to count
 };
 
 } // namespace peregrine::scene

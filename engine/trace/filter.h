@@ -2,7 +2,9 @@
 
 #include "geometry/triangle.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace peregrine::trace {
 
@@ -21,6 +23,7 @@ struct Filter {
     bool cull_single_sided = false; // the backs of kSingleSided triangles do not count
     uint32_t layer_mask = ~0u;
     uint32_t ignore_mesh = geometry::kNoTriangle; // a slot
+    std::span<const uint32_t> ignore_more;        // slots, ascending; none without ignore_mesh
     const uint32_t* layer_masks = nullptr;        // by slot of the mesh
     AlphaTest alpha;
 
@@ -30,8 +33,12 @@ struct Filter {
                && ignore_mesh == geometry::kNoTriangle && !alpha.present;
     }
 
+    bool ignores(uint32_t mesh) const {
+        return mesh == ignore_mesh
+               || (!ignore_more.empty() && std::ranges::binary_search(ignore_more, mesh));
+    }
     bool sees_mesh(const geometry::TriangleInfo& triangle) const {
-        return triangle.mesh != ignore_mesh
+        return !ignores(triangle.mesh)
                && (layer_mask == ~0u || (layer_masks[triangle.mesh] & layer_mask) != 0);
     }
     bool sees_front() const { return faces != Faces::back; }

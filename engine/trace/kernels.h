@@ -8,6 +8,7 @@
 #include "math/box.h"
 #include "math/ray.h"
 #include "trace/filter.h"
+#include "trace/visitor.h"
 
 #include <cstdint>
 #include <limits>
@@ -105,8 +106,11 @@ struct Kernels {
                            const HitStream& hits);
     void (*occluded_stream)(const Target& target, const RayStream& rays, const Filter& filter,
                             uint8_t* occluded);
+    // Shows the visitor every triangle that it wants to see; no filter.
+    void (*visit)(const Target& target, const math::Ray& ray, Visitor& visitor);
     base::Isa isa; // never `best`
     const ShapeKernels* shapes = nullptr;
+    const ShapeKernels* plain_shapes = nullptr; // these heed Watch::counters
 };
 
 // The table for an instruction set; null if this machine lacks it. `best` never fails.

@@ -8,7 +8,8 @@ namespace peregrine::trace {
 // The kernels for one ray in plain C++, given what a structure knows:
 //     template <bool Filtered, class Real>
 //     static Hit closest(const Target&, const math::Ray&, const Filter&, Real reach);
-// and occluded likewise. Rays whose numbers do not fit float take double.
+// occluded likewise, and visit with a Visitor for the filter. Rays whose numbers do not fit float
+// take double.
 template <class Structure>
 class OneRay {
 public:
@@ -22,6 +23,15 @@ public:
         if (target.bounds.empty()) return false;
         return filter.trivial() ? occluded<false>(target, ray, filter)
                                 : occluded<true>(target, ray, filter);
+    }
+
+    static void visit(const Target& target, const math::Ray& ray, Visitor& visitor) {
+        if (target.bounds.empty()) return;
+        const float distance = reach<float>(target.bounds, ray.origin);
+        if (fits_float(largest_component(ray.direction), distance))
+            Structure::visit(target, ray, visitor, distance);
+        else
+            Structure::visit(target, ray, visitor, reach<double>(target.bounds, ray.origin));
     }
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/crossing.h"
 #include "geometry/intersect.h"
 #include "trace/kernels.h"
 #include "trace/slabs.h"
@@ -52,6 +53,26 @@ bool occluded_in_lists(const Target& target, const uint32_t* references, const m
     };
     visit(target, slabs<Real>(target.bounds, ray, reach), leaf);
     return occluded;
+}
+
+template <class Real, class Visit>
+void visit_lists(const Target& target, const uint32_t* references, const math::Ray& ray,
+                 Visitor& visitor, Real reach, Visit&& visit) {
+    geometry::ShearedRay sheared = geometry::shear(ray);
+    const auto leaf = [&](uint32_t first, uint32_t count, Real& t_limit) {
+        visitor.counters.triangles += count;
+        for (uint32_t i = first; i < first + count; ++i) {
+            const auto& [v0, mesh, v1, primitive, v2, flags] = target.triangles[references[i]];
+            geometry::TriangleHit hit;
+            if (!geometry::intersect(sheared, v0, v1, v2, hit)
+                || (visitor.wants_crossings() && !geometry::is_crossed(sheared, v0, v1, v2)))
+                continue;
+            sheared.t_max = std::min(sheared.t_max, visitor.see(references[i], hit));
+            t_limit = std::min(t_limit, Real(sheared.t_max));
+        }
+        return !(sheared.t_min <= sheared.t_max);
+    };
+    visitor.counters.nodes += visit(target, slabs<Real>(target.bounds, ray, reach), leaf);
 }
 
 } // namespace peregrine::trace

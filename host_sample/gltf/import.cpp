@@ -4,6 +4,7 @@
 
 #include "../error.h"
 #include "accessor.h"
+#include "animation.h"
 #include "budget.h"
 #include "document.h"
 #include "geometry.h"
@@ -11,33 +12,37 @@
 #include "node_tree.h"
 #include "notes.h"
 #include "placed.h"
+#include "rig.h"
 
 namespace host::gltf {
 
 namespace {
 
-Level import_document(const Document& document, const std::string& name) {
+Level import_document(const Document& document, const std::string& name,
+                      const std::string& animation) {
     Level level;
     level.name = name;
     Notes notes;
     Budget budget(document.bytes_read);
     Accessors accessors(document.model, document.bytes_read);
     const NodeTree tree = build_node_tree(document.model);
-    import_geometry(document.model, tree, accessors, budget, level, notes);
+    RigBuilder rig(document.model, tree,
+                   import_clips(document.model, animation, accessors, budget, notes), level.rig);
+    import_geometry(document.model, tree, accessors, rig, budget, level, notes);
     import_materials(document.model, level, notes);
-    import_placed(document.model, tree, level, notes);
+    import_placed(document.model, tree, rig, level, notes);
     level.notes = notes.take();
     return level;
 }
 
 // tinygltf and the JSON library throw exceptions of their own for some malformed files.
 template <class Read>
-Level import_named(const std::string& name, const Read& read) {
+Level import_named(const std::string& name, const std::string& animation, const Read& read) {
     const auto refuse = [&](const std::string& cause) {
         return InputError("the scene file " + name + " cannot be used: " + cause);
     };
     try {
-        return import_document(read(), name);
+        return import_document(read(), name, animation);
     } catch (const InputError& error) {
         throw refuse(error.what());
     } catch (const std::bad_alloc&) {
@@ -49,12 +54,13 @@ Level import_named(const std::string& name, const Read& read) {
 
 } // namespace
 
-Level import_file(const std::filesystem::path& path) {
-    return import_named(path.string(), [&] { return read_document(path); });
+Level import_file(const std::filesystem::path& path, const std::string& animation) {
+    return import_named(path.string(), animation, [&] { return read_document(path); });
 }
 
-Level import_bytes(const std::string& bytes, const std::string& name) {
-    return import_named(name, [&] { return parse_document(bytes, {}); });
+Level import_bytes(const std::string& bytes, const std::string& name,
+                   const std::string& animation) {
+    return import_named(name, animation, [&] { return parse_document(bytes, {}); });
 }
 
 } // namespace host::gltf

@@ -12,26 +12,6 @@ namespace host::gltf {
 
 namespace {
 
-glm::dmat4 local_transform(const tinygltf::Node& node) {
-    if (node.matrix.size() == 16) {
-        glm::dmat4 matrix;
-        for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<size_t>(i)];
-        return matrix;
-    }
-    glm::dmat4 matrix(1.0);
-    if (node.translation.size() == 3)
-        matrix = glm::translate(
-            matrix, glm::dvec3(node.translation[0], node.translation[1], node.translation[2]));
-    if (node.rotation.size() == 4) {
-        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1],
-                                  node.rotation[2]);
-        if (glm::dot(rotation, rotation) > 0.0) matrix *= glm::mat4_cast(glm::normalize(rotation));
-    }
-    if (node.scale.size() == 3)
-        matrix = glm::scale(matrix, glm::dvec3(node.scale[0], node.scale[1], node.scale[2]));
-    return matrix;
-}
-
 uint32_t checked_node(const tinygltf::Model& model, int index) {
     if (index < 0 || static_cast<size_t>(index) >= model.nodes.size())
         throw InputError("node " + std::to_string(index) + " is named but does not exist");
@@ -54,25 +34,26 @@ std::vector<bool> find_children(const tinygltf::Model& model) {
 void compute_world(const tinygltf::Model& model, const std::vector<bool>& has_parent,
                    NodeTree& tree) {
     tree.world.assign(model.nodes.size(), glm::dmat4(1.0));
+    tree.parent.assign(model.nodes.size(), no_index);
     std::vector<uint32_t> open;
     for (uint32_t i = 0; i < model.nodes.size(); ++i) {
         if (has_parent[i]) continue;
-        tree.world[i] = local_transform(model.nodes[i]);
+        tree.world[i] = local_matrix(model.nodes[i]);
         open.push_back(i);
     }
-    size_t reached = 0;
     while (!open.empty()) {
         const uint32_t index = open.back();
         open.pop_back();
-        ++reached;
+        tree.order.push_back(index);
         for (const int child : model.nodes[index].children) {
             const auto c = static_cast<uint32_t>(child);
-            tree.world[c] = tree.world[index] * local_transform(model.nodes[c]);
+            tree.parent[c] = index;
+            tree.world[c] = tree.world[index] * local_matrix(model.nodes[c]);
             open.push_back(c);
         }
     }
     // With one parent each at most, what no root reaches lies on or behind a cycle.
-    if (reached != model.nodes.size()) throw InputError("its nodes form a cycle");
+    if (tree.order.size() != model.nodes.size()) throw InputError("its nodes form a cycle");
 }
 
 std::vector<int> choose_roots(const tinygltf::Model& model, const std::vector<bool>& has_parent) {
@@ -89,6 +70,30 @@ std::vector<int> choose_roots(const tinygltf::Model& model, const std::vector<bo
 }
 
 } // namespace
+
+Local local_of(const tinygltf::Node& node) {
+    Local local;
+    if (node.translation.size() == 3)
+        local.translation = {node.translation[0], node.translation[1], node.translation[2]};
+    if (node.rotation.size() == 4) {
+        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1],
+                                  node.rotation[2]);
+        if (glm::dot(rotation, rotation) > 0.0) local.rotation = glm::normalize(rotation);
+    }
+    if (node.scale.size() == 3) local.scale = {node.scale[0], node.scale[1], node.scale[2]};
+    return local;
+}
+
+glm::dmat4 local_matrix(const tinygltf::Node& node) {
+    if (node.matrix.size() == 16) {
+        glm::dmat4 matrix;
+        for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<size_t>(i)];
+        return matrix;
+    }
+    const Local local = local_of(node);
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), local.translation);
+    return glm::scale(moved * glm::mat4_cast(local.rotation), local.scale);
+}
 
 NodeTree build_node_tree(const tinygltf::Model& model) {
     NodeTree tree;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "../cameras.h"
 #include "../error.h"
 #include "value.h"
 
@@ -13,24 +14,6 @@ namespace {
 
 // A light without a range ends where it would give less than this.
 constexpr double faintest_lux = 1.0 / 50.0;
-
-std::optional<glm::vec3> unit_axis(const glm::dvec4& axis) {
-    const glm::dvec3 v(axis);
-    const double length = glm::length(v);
-    if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
-    return glm::vec3(v / length);
-}
-
-// A node looks along its -Z with +Y up. Nothing if its transform is flat or not finite.
-std::optional<Viewpoint> to_viewpoint(const glm::dmat4& world, const std::string& name) {
-    const auto forward = unit_axis(-world[2]);
-    const auto up = unit_axis(world[1]);
-    const glm::dvec3 position(world[3]);
-    const bool finite = std::isfinite(position.x + position.y + position.z);
-    if (!forward || !up || !finite) return std::nullopt;
-    if (glm::length(glm::cross(*forward, *up)) < 1e-3f) return std::nullopt;
-    return Viewpoint{name, position, *forward, *up, Viewpoint{}.vertical_fov};
-}
 
 LightType to_type(const std::string& type) {
     if (type == "spot") return LightType::spot;
@@ -50,6 +33,7 @@ void add_light(const tinygltf::Light& source, const Viewpoint& place, Level& lev
     light.type = to_type(source.type);
     light.position = place.position;
     light.direction = place.forward;
+    light.node = place.node;
     glm::vec3 color(1.0f);
     if (source.color.size() >= 3)
         color = {to_factor(source.color[0]), to_factor(source.color[1]),
@@ -87,15 +71,17 @@ const T& checked(const std::vector<T>& items, int index, const char* what) {
 }
 
 void import_node(const tinygltf::Model& model, const tinygltf::Node& node, const glm::dmat4& world,
-                 Level& level, Notes& notes) {
+                 uint32_t rig_node, Level& level, Notes& notes) {
     const auto* punctual = find_extension(node.extensions, "KHR_lights_punctual");
     const bool spawn = node.mesh < 0 && node.name.rfind("spawn_", 0) == 0;
     if (!punctual && node.camera < 0 && !spawn) return;
-    const auto place = to_viewpoint(world, node.name);
+    auto place = look_along(world);
     if (!place) {
         notes.add("a light, camera or spawn point without a usable transform is left out");
         return;
     }
+    place->name = node.name;
+    place->node = rig_node;
     if (punctual)
         add_light(checked(model.lights, read_index(*punctual, "light"), "light"), *place, level);
     if (node.camera >= 0)
@@ -105,9 +91,10 @@ void import_node(const tinygltf::Model& model, const tinygltf::Node& node, const
 
 } // namespace
 
-void import_placed(const tinygltf::Model& model, const NodeTree& tree, Level& level, Notes& notes) {
+void import_placed(const tinygltf::Model& model, const NodeTree& tree, RigBuilder& rig,
+                   Level& level, Notes& notes) {
     for (const uint32_t node : tree.scene_nodes)
-        import_node(model, model.nodes[node], tree.world[node], level, notes);
+        import_node(model, model.nodes[node], tree.world[node], rig.find(node), level, notes);
 }
 
 } // namespace host::gltf

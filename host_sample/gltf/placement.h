@@ -1,13 +1,12 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
-#include <tiny_gltf.h>
 
-#include "accessor.h"
-#include "node_tree.h"
 #include "primitive.h"
+#include "skin.h"
 
 namespace host::gltf {
 
@@ -15,14 +14,12 @@ namespace host::gltf {
 // triangles and the tangents' handedness round, so that front faces stay counter-clockwise.
 void place_rigid(Primitive& primitive, const glm::dmat4& world);
 
-// The matrices of a skin's joints at rest: world transform times inverse bind matrix. By glTF 2.0,
-// 3.7.3.1 the transform of the node that has the mesh plays no part. Throws InputError.
-std::vector<glm::dmat4> joint_matrices(const tinygltf::Model& model, Accessors& accessors,
-                                       const NodeTree& tree, int skin);
+// Moves each vertex by its blend of joints: world transforms times inverse bind matrices. By glTF
+// 2.0, 3.7.3.1 the transform of the node that has the mesh plays no part.
+void place_skinned(Primitive& primitive, const Influences& influences,
+                   std::span<const glm::dmat4> joints);
 
-// Moves each vertex by its blend of joints. False, and nothing is moved, if the primitive has no
-// JOINTS_0 and WEIGHTS_0. Throws InputError for a joint that the skin does not have.
-bool place_skinned(Primitive& primitive, Accessors& accessors, const tinygltf::Primitive& source,
-                   const std::vector<glm::dmat4>& joints);
+// Makes clockwise triangles counter-clockwise.
+void turn_round(std::vector<uint32_t>& indices);
 
 } // namespace host::gltf

@@ -27,6 +27,12 @@ static void print_handles(void) {
     STRUCT(rt_light);
     FIELD(rt_light, index);
     FIELD(rt_light, generation);
+    STRUCT(rt_snapshot);
+    FIELD(rt_snapshot, index);
+    FIELD(rt_snapshot, generation);
+    STRUCT(rt_snapshot);
+    FIELD(rt_snapshot, index);
+    FIELD(rt_snapshot, generation);
 }
 
 static void print_host(void) {
@@ -203,6 +209,38 @@ static void print_query(void) {
     FIELD(rt_hit_arrays, triangle);
     FIELD(rt_hit_arrays, mesh);
     FIELD(rt_hit_arrays, back_face);
+    STRUCT(rt_query_stats);
+    FIELD(rt_query_stats, struct_size);
+    FIELD(rt_query_stats, reserved);
+    FIELD(rt_query_stats, nodes);
+    FIELD(rt_query_stats, triangles);
+    FIELD(rt_query_stats, instances);
+    STRUCT(rt_query_options);
+    FIELD(rt_query_options, struct_size);
+    FIELD(rt_query_options, reserved);
+    FIELD(rt_query_options, origin);
+    FIELD(rt_query_options, snapshot);
+    FIELD(rt_query_options, ignore_meshes);
+    FIELD(rt_query_options, ignore_count);
+    FIELD(rt_query_options, accept);
+    FIELD(rt_query_options, accept_user);
+    FIELD(rt_query_options, stats);
+    STRUCT(rt_query_stats);
+    FIELD(rt_query_stats, struct_size);
+    FIELD(rt_query_stats, reserved);
+    FIELD(rt_query_stats, nodes);
+    FIELD(rt_query_stats, triangles);
+    FIELD(rt_query_stats, instances);
+    STRUCT(rt_query_options);
+    FIELD(rt_query_options, struct_size);
+    FIELD(rt_query_options, reserved);
+    FIELD(rt_query_options, origin);
+    FIELD(rt_query_options, snapshot);
+    FIELD(rt_query_options, ignore_meshes);
+    FIELD(rt_query_options, ignore_count);
+    FIELD(rt_query_options, accept);
+    FIELD(rt_query_options, accept_user);
+    FIELD(rt_query_options, stats);
     STRUCT(rt_query_desc);
     FIELD(rt_query_desc, struct_size);
     FIELD(rt_query_desc, kind);
@@ -219,6 +257,13 @@ static void print_query(void) {
     FIELD(rt_query_desc, coherence);
     FIELD(rt_query_desc, ray_arrays);
     FIELD(rt_query_desc, hit_arrays);
+    FIELD(rt_query_desc, options);
+    FIELD(rt_query_desc, hit_counts);
+    FIELD(rt_query_desc, surfaces);
+    FIELD(rt_query_desc, surface_stride);
+    FIELD(rt_query_desc, surface_fields);
+    FIELD(rt_query_desc, max_hits);
+    FIELD(rt_query_desc, reserved);
     STRUCT(rt_surface);
     FIELD(rt_surface, position);
     FIELD(rt_surface, geometric_normal);
@@ -227,6 +272,83 @@ static void print_query(void) {
     FIELD(rt_surface, material);
     FIELD(rt_surface, material_user_data);
     FIELD(rt_surface, mesh_user_data);
+}
+
+static void print_sweeps(void) {
+    STRUCT(rt_sweep);
+    FIELD(rt_sweep, center);
+    FIELD(rt_sweep, radius);
+    FIELD(rt_sweep, axis);
+    FIELD(rt_sweep, t_max);
+    FIELD(rt_sweep, direction);
+    FIELD(rt_sweep, reserved);
+    STRUCT(rt_sweep_hit);
+    FIELD(rt_sweep_hit, t);
+    FIELD(rt_sweep_hit, point);
+    FIELD(rt_sweep_hit, normal);
+    FIELD(rt_sweep_hit, depth);
+    FIELD(rt_sweep_hit, triangle);
+    FIELD(rt_sweep_hit, mesh);
+    FIELD(rt_sweep_hit, initial_contact);
+    STRUCT(rt_sweep_desc);
+    FIELD(rt_sweep_desc, struct_size);
+    FIELD(rt_sweep_desc, flags);
+    FIELD(rt_sweep_desc, sweeps);
+    FIELD(rt_sweep_desc, sweep_count);
+    FIELD(rt_sweep_desc, hits);
+    FIELD(rt_sweep_desc, sweep_stride);
+    FIELD(rt_sweep_desc, hit_stride);
+    FIELD(rt_sweep_desc, faces);
+    FIELD(rt_sweep_desc, layer_mask);
+    FIELD(rt_sweep_desc, ignore_mesh);
+    FIELD(rt_sweep_desc, options);
+    STRUCT(rt_shape);
+    FIELD(rt_shape, center);
+    FIELD(rt_shape, radius);
+    FIELD(rt_shape, extent);
+    FIELD(rt_shape, kind);
+    FIELD(rt_shape, rotation);
+    STRUCT(rt_overlap);
+    FIELD(rt_overlap, mesh);
+    FIELD(rt_overlap, triangle);
+    FIELD(rt_overlap, reserved);
+    STRUCT(rt_overlap_desc);
+    FIELD(rt_overlap_desc, struct_size);
+    FIELD(rt_overlap_desc, flags);
+    FIELD(rt_overlap_desc, shapes);
+    FIELD(rt_overlap_desc, shape_count);
+    FIELD(rt_overlap_desc, overlapping);
+    FIELD(rt_overlap_desc, overlaps);
+    FIELD(rt_overlap_desc, overlap_counts);
+    FIELD(rt_overlap_desc, max_overlaps);
+    FIELD(rt_overlap_desc, shape_stride);
+    FIELD(rt_overlap_desc, faces);
+    FIELD(rt_overlap_desc, layer_mask);
+    FIELD(rt_overlap_desc, ignore_mesh);
+    FIELD(rt_overlap_desc, options);
+    STRUCT(rt_point);
+    FIELD(rt_point, position);
+    FIELD(rt_point, radius);
+    STRUCT(rt_nearest);
+    FIELD(rt_nearest, distance);
+    FIELD(rt_nearest, point);
+    FIELD(rt_nearest, normal);
+    FIELD(rt_nearest, u);
+    FIELD(rt_nearest, v);
+    FIELD(rt_nearest, triangle);
+    FIELD(rt_nearest, mesh);
+    STRUCT(rt_nearest_desc);
+    FIELD(rt_nearest_desc, struct_size);
+    FIELD(rt_nearest_desc, flags);
+    FIELD(rt_nearest_desc, points);
+    FIELD(rt_nearest_desc, point_count);
+    FIELD(rt_nearest_desc, results);
+    FIELD(rt_nearest_desc, point_stride);
+    FIELD(rt_nearest_desc, result_stride);
+    FIELD(rt_nearest_desc, faces);
+    FIELD(rt_nearest_desc, layer_mask);
+    FIELD(rt_nearest_desc, ignore_mesh);
+    FIELD(rt_nearest_desc, options);
 }
 
 static void print_frame(void) {
@@ -257,6 +379,7 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, triangle_row_stride);
     FIELD(rt_frame_desc, mesh_row_stride);
     FIELD(rt_frame_desc, normal_row_stride);
+    FIELD(rt_frame_desc, snapshot);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);
@@ -312,6 +435,12 @@ static void print_table(void) {
     FIELD(rt_api, set_mesh_transform);
     FIELD(rt_api, set_mesh_layer_mask);
     FIELD(rt_api, set_mesh_hidden);
+    FIELD(rt_api, set_world_origin);
+    FIELD(rt_api, hold_snapshot);
+    FIELD(rt_api, release_snapshot);
+    FIELD(rt_api, sweep_shapes);
+    FIELD(rt_api, overlap_shapes);
+    FIELD(rt_api, find_nearest);
 }
 
 int main(void) {
@@ -322,6 +451,7 @@ int main(void) {
     print_lights();
     print_commit();
     print_query();
+    print_sweeps();
     print_frame();
     print_table();
     return 0;

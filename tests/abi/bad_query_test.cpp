@@ -50,10 +50,10 @@ protected:
 
 TEST_F(BadQuery, Fields) {
     constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
-    refuse_both([](Query& q) { q.desc.kind = 2; }, kArgument, "rt_query_desc.kind is 2");
+    refuse_both([](Query& q) { q.desc.kind = 4; }, kArgument, "rt_query_desc.kind is 4");
     refuse_both([](Query& q) { q.desc.kind = -1; }, kArgument, "rt_query_desc.kind is -1");
     refuse_both([](Query& q) { q.desc.faces = 3; }, kArgument, "rt_query_desc.faces is 3");
-    refuse_both([](Query& q) { q.desc.flags = 2; }, kArgument, "rt_query_desc.flags is 0x2");
+    refuse_both([](Query& q) { q.desc.flags = 8; }, kArgument, "rt_query_desc.flags is 0x8");
     refuse_both([](Query& q) { q.desc.coherence = 4; }, kArgument, "rt_query_desc.coherence is 4");
     refuse_both([](Query& q) { q.desc.coherence = -1; }, kArgument, "rt_query_desc.coherence");
     refuse_both([](Query& q) { q.desc.rays = nullptr; }, kArgument, "rt_query_desc.rays is null");
@@ -67,6 +67,28 @@ TEST_F(BadQuery, Fields) {
     Query overlapping(RT_QUERY_CLOSEST);
     overlapping.desc.result_stride = 16;
     refuse(overlapping, kArgument, "result_stride is 16");
+    refuse_both([](Query& q) { q.desc.reserved = 1; }, kArgument, "rt_query_desc.reserved");
+    Query all(RT_QUERY_ALL);
+    uint32_t counts[64] = {};
+    all.desc.hit_counts = counts;
+    refuse(all, kArgument, "rt_query_desc.max_hits is 0");
+    all.desc.max_hits = 1;
+    all.desc.hit_counts = nullptr;
+    refuse(all, kArgument, "rt_query_desc.hit_counts is null");
+    all.desc.hit_counts = counts;
+    all.desc.max_hits = 0xffffffffu;
+    all.desc.ray_count = UINT64_MAX / 2;
+    refuse(all, RT_ERROR_LIMIT, "max_hits");
+    Query count(RT_QUERY_COUNT);
+    refuse(count, kArgument, "rt_query_desc.hit_counts is null");
+    Query surfaces(RT_QUERY_CLOSEST);
+    rt_surface surface[64];
+    surfaces.desc.surfaces = surface;
+    surfaces.desc.surface_fields = 1u << 6;
+    refuse(surfaces, kArgument, "rt_query_desc.surface_fields is 0x40");
+    surfaces.desc.surface_fields = RT_SURFACE_ALL;
+    surfaces.desc.surface_stride = 8;
+    refuse(surfaces, kArgument, "rt_query_desc.surface_stride is 8");
 }
 
 TEST_F(BadQuery, Counts) {
@@ -205,7 +227,7 @@ TEST_F(BadQuery, ASingleRayIsRefusedAsInABatch) {
     refuse_one([](Query& q) { q.rays[0].t_max = kNan; }, "ray 0: t_max");
     refuse_one([](Query& q) { q.rays[0].direction[1] = -0.0f; }, "ray 0: the direction is zero");
     refuse_one([](Query& q) { q.desc.rays = nullptr; }, "rt_query_desc.rays is null");
-    refuse_one([](Query& q) { q.desc.kind = 2; }, "rt_query_desc.kind is 2");
+    refuse_one([](Query& q) { q.desc.kind = 4; }, "rt_query_desc.kind is 4");
     refuse_one([](Query& q) { q.desc.coherence = 9; }, "rt_query_desc.coherence is 9");
     refuse_one([](Query& q) { q.desc.ray_stride = 16; }, "ray_stride is 16");
     refuse_one([](Query& q) { q.desc.hits = nullptr, q.desc.occluded = nullptr; }, "is null");

@@ -1,10 +1,13 @@
-// Queries and frames while the world moves: every answer is that of one legal snapshot, the one
-// that was current when the call began. Also the target of ThreadSanitizer.
+// Queries and frames while the world moves, in as many commits as go: every answer is that of one
+// legal snapshot, the one that was current when the call began, and old ones do not pile up. Also
+// the target of ThreadSanitizer. $PEREGRINE_STRESS_SECONDS makes it longer.
 #include "support.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 namespace peregrine::test {
@@ -13,7 +16,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr uint32_t kPoses = 8;
-constexpr auto kDuration = std::chrono::milliseconds(2000);
+constexpr uint32_t kCrates = 20;
+constexpr uint64_t kWarmUp = 50; // commits
+
+std::chrono::duration<double> duration() {
+    const char* const seconds = std::getenv("PEREGRINE_STRESS_SECONDS");
+    return std::chrono::duration<double>(seconds ? std::atof(seconds) : 2);
+}
 
 float height_of(uint64_t step) {
     return 1.0f + 0.25f * float(step % kPoses);
@@ -42,32 +51,63 @@ void go_to(const World& world, uint64_t step) {
     ASSERT_OK(rt_commit_scene(world.scene, nullptr, nullptr));
 }
 
-Legal learn(const World& world, const std::vector<rt_ray>& rays) {
-    Legal legal;
-    for (uint32_t pose = 0; pose < kPoses; ++pose) {
-        go_to(world, pose);
-        legal.hits.push_back(ask(world.scene, rays));
-        legal.pixels.push_back(render(world.scene));
+// A lift that deforms, and crates that move as a whole.
+class Yard {
+public:
+    explicit Yard(const rt_scene_desc& desc = rt_default_scene_desc()) : world_(desc) {
+        const std::vector<float> corners = {-0.4f, 0, 0.4f, 0.4f, 0, 0.4f, 0, 0.5f, -0.4f};
+        rt_mesh_desc mesh = rt_default_mesh_desc();
+        mesh.index_type = RT_INDEX_NONE;
+        mesh.positions = array_of(corners, 3);
+        EXPECT_OK(rt_add_rigid_mesh(scene(), &mesh, &crates_[0]));
+        for (uint32_t i = 1; i < kCrates; ++i)
+            EXPECT_OK(rt_add_mesh_instance(scene(), crates_[0], &crates_[i]));
     }
-    return legal;
-}
+
+    rt_scene scene() { return world_->scene; }
+
+    void go_to(uint64_t step) {
+        for (uint32_t i = 0; i < kCrates; ++i) {
+            rt_transform transform = rt_default_transform();
+            transform.m[3] = double(i % 5) - 2;
+            transform.m[7] = 0.2 * double((step + i) % kPoses);
+            transform.m[11] = double(i / 5) - 2;
+            ASSERT_OK(rt_set_mesh_transform(scene(), crates_[i], &transform));
+        }
+        test::go_to(*world_, step);
+    }
+
+    Legal learn(const std::vector<rt_ray>& rays) {
+        Legal legal;
+        for (uint32_t pose = 0; pose < kPoses; ++pose) {
+            go_to(pose);
+            legal.hits.push_back(ask(scene(), rays));
+            legal.pixels.push_back(render(scene()));
+        }
+        return legal;
+    }
+
+private:
+    WorldGuard world_;
+    rt_mesh crates_[kCrates]{};
+};
 
 class Race {
 public:
-    Race() : world_(desc()), rays_(world_rays()), legal_(learn(*world_, rays_)) {
-        go_to(*world_, 0);
-    }
+    Race() : yard_(desc()), rays_(world_rays()), legal_(yard_.learn(rays_)) { yard_.go_to(0); }
 
     void run() {
         std::vector<std::thread> threads;
         for (int i = 0; i < 3; ++i)
-            threads.emplace_back(
-                [this] { read([this] { return ask(scene(), rays_); }, legal_.hits); });
+            threads.emplace_back([this] { read([this] { return ask_timed(); }, legal_.hits); });
         threads.emplace_back([this] { read([this] { return render(scene()); }, legal_.pixels); });
-        const Clock::time_point end = Clock::now() + kDuration;
-        for (uint64_t step = 1; Clock::now() < end; ++step) commit(step);
+        const Clock::time_point begin = Clock::now();
+        for (uint64_t step = 1; Clock::now() - begin < duration(); ++step) commit(step);
         stop_ = true;
         for (std::thread& thread : threads) thread.join();
+        std::printf("%.0f commits a second, %llu queries and frames, the slowest query %.2f ms\n",
+                    double(finished_) / duration().count(), static_cast<unsigned long long>(reads_),
+                    1e3 * slowest_query_);
         EXPECT_EQ(wrong_, 0u);
         EXPECT_GT(reads_, 50u);
         EXPECT_GT(finished_, 20u);
@@ -80,16 +120,29 @@ private:
         return desc;
     }
 
-    rt_scene scene() { return world_->scene; }
+    rt_scene scene() { return yard_.scene(); }
 
     void commit(uint64_t step) {
         begun_ = step;
-        go_to(*world_, step);
+        yard_.go_to(step);
         finished_ = step;
         EXPECT_EQ(ask(scene(), rays_), legal_.hits[step % kPoses]) << "stale after its own commit";
         rt_scene_stats stats = rt_default_scene_stats();
         EXPECT_OK(rt_get_scene_stats(scene(), &stats));
         EXPECT_LE(stats.snapshots_alive, 1 + 4u) << "the current one and one a reader";
+        if (step == kWarmUp) bytes_ = stats.bytes_peak;
+        EXPECT_LE(stats.bytes_peak, step > kWarmUp ? 3 * bytes_ : ~uint64_t(0))
+            << "more than the readers can hold";
+    }
+
+    Bytes ask_timed() {
+        const Clock::time_point begin = Clock::now();
+        Bytes answer = ask(scene(), rays_);
+        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        double slowest = slowest_query_;
+        while (slowest < seconds && !slowest_query_.compare_exchange_weak(slowest, seconds)) {
+        }
+        return answer;
     }
 
     // The answer belongs to a step between those that were finished before and begun after.
@@ -107,9 +160,11 @@ private:
         }
     }
 
-    WorldGuard world_;
+    Yard yard_;
     std::vector<rt_ray> rays_;
     Legal legal_;
+    uint64_t bytes_ = 0;
+    std::atomic<double> slowest_query_{0};
     std::atomic<uint64_t> begun_{0}, finished_{0}, reads_{0}, wrong_{0};
     std::atomic<bool> stop_{false};
 };
@@ -119,8 +174,7 @@ TEST(Concurrency, EveryAnswerIsThatOfOneLegalSnapshot) {
 }
 
 TEST(Concurrency, PosesDiffer) {
-    WorldGuard world;
-    const Legal legal = learn(*world, world_rays());
+    const Legal legal = Yard().learn(world_rays());
     for (uint32_t pose = 1; pose < kPoses; ++pose) {
         EXPECT_NE(legal.hits[pose], legal.hits[0]);
         EXPECT_NE(legal.pixels[pose], legal.pixels[0]);

@@ -36,6 +36,11 @@ public:
         return bytes_;
     }
 
+    uint64_t allocations() const {
+        const std::lock_guard lock(mutex_);
+        return allocations_;
+    }
+
 private:
     struct Block {
         uint64_t size, alignment;
@@ -54,6 +59,7 @@ private:
         blocks_[memory] = {size, alignment};
         raws_[memory] = raw;
         bytes_ += size;
+        ++allocations_;
         return memory;
     }
 
@@ -73,6 +79,7 @@ private:
     std::unordered_map<void*, Block> blocks_;
     std::unordered_map<void*, void*> raws_;
     uint64_t bytes_ = 0;
+    uint64_t allocations_ = 0;
     uint64_t left_ = ~uint64_t(0);
 };
 

@@ -19,6 +19,9 @@ struct Options {
     std::string peer_build = "high";
     std::string isa = "best";
     float empty_bonus = 0;
+    std::vector<std::string> items; // of queries
+    size_t count = 100'000;         // queries an item ...
+    size_t reference = 20'000;      // ... and how many of them are judged
     std::string library;
     std::string json;
 };
@@ -28,6 +31,12 @@ std::string run_build(const Options& options);
 std::string run_frame(const Options& options);
 std::string run_door(const Options& options);
 std::string run_trace(const Options& options);
+std::string run_moving(const Options& options);
+std::string run_grenade(const Options& options);
 std::string run_kernels(const Options& options);
+std::string run_queries(const Options& options);
+
+std::vector<std::string> query_item_names();
+std::string query_item_legend();
 
 } // namespace peregrine::bench

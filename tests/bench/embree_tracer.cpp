@@ -2,11 +2,9 @@
 
 #include "embree_packet.h"
 #include "embree_scene.h"
+#include "flush_denormals.h"
 
 #include <algorithm>
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
 
 namespace peregrine::bench {
 namespace {
@@ -15,22 +13,6 @@ constexpr size_t kStream = 256; // rays of a stream's call
 
 constexpr RTCIntersectContextFlags kCoherent = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 constexpr RTCIntersectContextFlags kIncoherent = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-
-// Embree asks for denormals to be flushed; the header of ours asks for the default.
-class FlushDenormals {
-public:
-#if defined(__SSE__)
-    FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | kFlushToZero | kAreZero); }
-    ~FlushDenormals() { _mm_setcsr(before_); }
-
-private:
-    static constexpr unsigned kFlushToZero = 0x8000, kAreZero = 0x0040;
-    unsigned before_;
-#else
-    FlushDenormals() {}
-    ~FlushDenormals() {}
-#endif
-};
 
 // A call of Embree and what surrounds it.
 struct Job {

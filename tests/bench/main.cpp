@@ -33,16 +33,21 @@ void write_json(const Options& options, const std::string& rows) {
 }
 
 void add_options(CLI::App& command, Options& options) {
-    command.add_option("--scene", options.scenes,
-                       "Scene files (.glb, .gltf); default: our hall and those of "
-                       "$PEREGRINE_SCENES or ../shared/scenes");
-    command.add_option("--threads", options.threads, "Threads")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 256));
+    command
+        .add_option("--scene", options.scenes,
+                    "Scene files (.glb, .gltf); default: our hall and those of "
+                    "$PEREGRINE_SCENES or ../shared/scenes")
+        ->check(CLI::ExistingFile);
     command.add_option("--passes", options.passes, "Passes; medians are printed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
     command.add_option("--json", options.json, "Write the rows to this file as well");
+}
+
+void add_threads_option(CLI::App& command, Options& options) {
+    command.add_option("--threads", options.threads, "Threads")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 256));
 }
 
 void add_structure_options(CLI::App& command, Options& options) {
@@ -76,6 +81,25 @@ void add_trace_options(CLI::App& trace, Options& options) {
         ->check(CLI::Range(16, 4096));
 }
 
+void add_query_options(CLI::App& queries, Options& options) {
+    options.items = peregrine::bench::query_item_names();
+    queries.footer(peregrine::bench::query_item_legend());
+    queries.add_option("--items", options.items, "Rows of the table, see below; default: all")
+        ->delimiter(',')
+        ->check(CLI::IsMember(options.items));
+    queries.add_option("--peer", options.peers, "Peers: embree (robust and fast), bullet")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"embree", "bullet"}));
+    queries.add_option("--count", options.count, "Queries an item")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 10'000'000));
+    queries
+        .add_option("--reference", options.reference,
+                    "How many of them a reference in double precision answers, too")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 10'000'000));
+}
+
 int run(int argc, char** argv) {
     Options options;
     CLI::App app("Measures Peregrine, beside its peers where they are installed.");
@@ -84,13 +108,21 @@ int run(int argc, char** argv) {
     CLI::App* frame = app.add_subcommand("frame", "frames through the header");
     CLI::App* door = app.add_subcommand("door", "what a query costs beyond the bare traversal");
     CLI::App* trace = app.add_subcommand("trace", "rays of all kinds through the header");
+    CLI::App* moving = app.add_subcommand("moving", "commits of a world that moves, and its rays");
+    CLI::App* queries =
+        app.add_subcommand("queries", "gameplay's queries: speed and accuracy, on one thread");
+    CLI::App* grenade = app.add_subcommand("grenade", "how far a game's time step changes a throw");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
     kernels->add_option("--passes", options.passes, "Passes; medians are printed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
     kernels->add_option("--json", options.json, "Write the rows to this file as well");
-    for (CLI::App* command : {build, frame, door, trace}) add_options(*command, options);
+    for (CLI::App* command : {build, frame, door, trace, moving, queries, grenade})
+        add_options(*command, options);
+    for (CLI::App* command : {build, frame, door, trace, moving, grenade})
+        add_threads_option(*command, options);
     add_trace_options(*trace, options);
+    add_query_options(*queries, options);
     add_structure_options(*build, options);
     build->add_option("--peer", options.peers, "Peers: embree")->delimiter(',');
     build->add_option("--peer-build", options.peer_build, "The peer's quality: low, medium or high")
@@ -101,7 +133,7 @@ int run(int argc, char** argv) {
                      "SAH cost of a split that cuts off empty space: times 1 - this")
         ->check(CLI::Range(0.0, 1.0));
     frame->add_option("--size", options.size, "Width and height")->capture_default_str();
-    for (CLI::App* command : {frame, door, trace})
+    for (CLI::App* command : {frame, door, trace, moving, queries, grenade})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
@@ -110,7 +142,10 @@ int run(int argc, char** argv) {
     const std::string rows = *build     ? peregrine::bench::run_build(options)
                              : *frame   ? peregrine::bench::run_frame(options)
                              : *trace   ? peregrine::bench::run_trace(options)
+                             : *moving  ? peregrine::bench::run_moving(options)
+                             : *grenade ? peregrine::bench::run_grenade(options)
                              : *kernels ? peregrine::bench::run_kernels(options)
+                             : *queries ? peregrine::bench::run_queries(options)
                                         : peregrine::bench::run_door(options);
     if (!options.json.empty()) write_json(options, rows);
     return 0;

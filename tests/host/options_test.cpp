@@ -33,9 +33,11 @@ TEST_F(OptionsTest, Defaults) {
 }
 
 TEST_F(OptionsTest, ReadsValues) {
-    const auto parsed = parse({"--size", "64x32", "--frames", "3", "--view", "depth", "--headless",
-                               "--out", "a.png", "--isa", "avx2", "--exposure", "2.5",
-                               "--structure", "kdtree", "--build", "best"});
+    const auto parsed =
+        parse({"--size",     "64x32",       "--frames", "3",           "--view", "depth",
+               "--headless", "--out",       "a.png",    "--isa",       "avx2",   "--exposure",
+               "2.5",        "--structure", "kdtree",   "--build",     "best",   "--animation",
+               "walk",       "--time",      "1.5",      "--time-step", "0"});
     ASSERT_TRUE(parsed.options) << parsed.text;
     EXPECT_EQ(parsed.options->width, 64u);
     EXPECT_EQ(parsed.options->height, 32u);
@@ -45,6 +47,9 @@ TEST_F(OptionsTest, ReadsValues) {
     EXPECT_EQ(parsed.options->structure, RT_STRUCTURE_KDTREE);
     EXPECT_EQ(parsed.options->build, RT_BUILD_BEST);
     EXPECT_EQ(parsed.options->exposure, 2.5f);
+    EXPECT_EQ(parsed.options->animation, "walk");
+    EXPECT_EQ(parsed.options->time, 1.5);
+    EXPECT_EQ(parsed.options->time_step, 0.0);
 }
 
 TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
@@ -66,6 +71,9 @@ TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
                                                                    {"--exposure", "nan"},
                                                                    {"--ambient", "-1"},
                                                                    {"--scale", "2"},
+                                                                   {"--time", "-1"},
+                                                                   {"--time", "nan"},
+                                                                   {"--time-step", "-1"},
                                                                    {"--out", "a.png"},
                                                                    {"--scene"},
                                                                    {"--what"},
@@ -81,6 +89,14 @@ TEST_F(OptionsTest, HelpAndVersionAreNoMistakes) {
     EXPECT_EQ(parse({"--help"}).exit_status, 0);
     EXPECT_NE(parse({"--help"}).text.find("--scene"), std::string::npos);
     EXPECT_EQ(parse({"--version"}).exit_status, 0);
+}
+
+TEST_F(OptionsTest, ListsPads) {
+    EXPECT_FALSE(parse({}).options->list_pads);
+    const auto parsed = parse({"--list-pads", "--pad-map", "my.pads"});
+    ASSERT_TRUE(parsed.options) << parsed.text;
+    EXPECT_TRUE(parsed.options->list_pads);
+    EXPECT_EQ(parsed.options->pad_map, "my.pads");
 }
 
 TEST_F(OptionsTest, TheOptionWinsOverTheEnvironment) {

@@ -63,14 +63,16 @@ protected:
     ~HostOnFakeEngine() override { fs::remove_all(folder); }
 
     Session open() {
-        upload_level(stage, level, 0.1f);
+        player.emplace(stage, level, upload_level(stage, level, 0.1f));
+        player->describe(options.time);
         const rt_commit_report report = stage.commit(options.structure, options.build, nullptr);
-        return Session{options, level, usable_cameras(level), 0, stage, report, {}, 0, 0};
+        return Session{options, level, usable_cameras(level), 0, stage, *player, report, {}, 0, 0};
     }
 
     Plugin plugin;
     Stage stage;
     Level level;
+    std::optional<Player> player;
     Options options;
     fs::path folder;
 };

@@ -37,6 +37,10 @@ template <class Record>
 query::Strided<Record> strided(std::vector<Record>& records) {
     return {reinterpret_cast<std::byte*>(records.data()), records.size(), sizeof(Record)};
 }
+template <class Record>
+query::Placed<Record> placed(std::vector<Record>& records) {
+    return {strided(records)};
+}
 
 template <class Record>
 bool same(const Record& a, const Record& b) {
@@ -119,27 +123,35 @@ Expected ask_brute_force(const std::vector<ShapeMesh>& meshes, const Asked& aske
     return expected;
 }
 
-void compare(const scene::Snapshot& snapshot, Asked& asked, const Expected& expected,
-             const query::Selection& selection, const std::string& what) {
+void compare_request(const scene::Snapshot& snapshot, Asked& asked, const Expected& expected,
+                     const query::Request& request, const std::string& what) {
     std::vector<query::SweepHit> hits(asked.sweeps.size());
-    query::sweep(snapshot, strided(asked.sweeps), selection, strided(hits));
+    query::sweep(snapshot, placed(asked.sweeps), request, strided(hits));
     expect_same(asked.sweeps, expected.sweeps, hits, "sweeps, " + what);
 
     std::vector<uint8_t> overlaps(asked.shapes.size(), 9);
-    query::overlap_any(snapshot, strided(asked.shapes), selection, strided(overlaps));
+    query::overlap_any(snapshot, placed(asked.shapes), request, strided(overlaps));
     expect_same(asked.shapes, expected.overlaps, overlaps, "overlaps, " + what);
 
     std::vector<query::OverlapHit> lists(asked.shapes.size() * kMost, kUntouched);
     std::vector<uint32_t> counts(asked.shapes.size());
-    query::overlap_all(snapshot, strided(asked.shapes), selection,
+    query::overlap_all(snapshot, placed(asked.shapes), request,
                        {reinterpret_cast<std::byte*>(lists.data()), sizeof(query::OverlapHit),
                         kMost, strided(counts)});
     expect_same(asked.shapes, expected.counts, counts, "counts, " + what);
     expect_same(lists, expected.lists, lists, "lists, " + what);
 
     std::vector<query::NearestPoint> nearest(asked.points.size());
-    query::nearest(snapshot, strided(asked.points), selection, strided(nearest));
+    query::nearest(snapshot, placed(asked.points), request, strided(nearest));
     expect_same(asked.points, expected.nearest, nearest, "nearest points, " + what);
+}
+
+// ... with counters too: those shapes go through the plain kernels.
+void compare(const scene::Snapshot& snapshot, Asked& asked, const Expected& expected,
+             const query::Selection& selection, const std::string& what) {
+    compare_request(snapshot, asked, expected, {selection}, what);
+    trace::Counters counters;
+    compare_request(snapshot, asked, expected, {selection, nullptr, &counters}, what + ", counted");
 }
 
 struct MeshToAdd {
@@ -373,7 +385,7 @@ protected:
         std::vector<query::SweepHit> hits(3);
         std::memset(static_cast<void*>(hits.data()), 0x5a, sizeof(query::SweepHit) * 3);
         const std::vector<query::SweepHit> before = hits;
-        expect_refused([&] { query::sweep(world_.snapshot(), strided(sweeps), {}, strided(hits)); },
+        expect_refused([&] { query::sweep(world_.snapshot(), placed(sweeps), {}, strided(hits)); },
                        "sweep 2: " + words);
         EXPECT_EQ(std::memcmp(before.data(), hits.data(), sizeof(query::SweepHit) * 3), 0);
     }
@@ -381,7 +393,7 @@ protected:
         std::vector<query::Shape> shapes{bad};
         std::vector<uint8_t> overlaps{9};
         expect_refused(
-            [&] { query::overlap_any(world_.snapshot(), strided(shapes), {}, strided(overlaps)); },
+            [&] { query::overlap_any(world_.snapshot(), placed(shapes), {}, strided(overlaps)); },
             "shape 0: " + words);
         EXPECT_EQ(overlaps[0], 9);
     }
@@ -440,7 +452,7 @@ TEST_F(BadShapes, ShapesAndPoints) {
         std::vector<query::Point> points{{{0, 0, bad}, 1}};
         std::vector<query::NearestPoint> nearest(1);
         const auto ask = [&] {
-            query::nearest(world_.snapshot(), strided(points), {}, strided(nearest));
+            query::nearest(world_.snapshot(), placed(points), {}, strided(nearest));
         };
         expect_refused(ask, "point 0: position z is ");
         points[0] = {Vec3(0), bad};
@@ -462,11 +474,11 @@ TEST(ShapeLists, OfAnyLength) {
     std::vector<uint32_t> counts(2);
     std::vector<query::OverlapHit> hits(8000);
     query::overlap_all(
-        world.snapshot(), strided(shapes), {},
+        world.snapshot(), placed(shapes), {},
         {reinterpret_cast<std::byte*>(hits.data()), sizeof hits[0], 4000, strided(counts)});
     EXPECT_EQ(counts, (std::vector<uint32_t>{8000, 0}));
     for (uint32_t i = 0; i < 4000; ++i) EXPECT_EQ(hits[i].triangle, i);
-    query::overlap_all(world.snapshot(), strided(shapes), {}, {nullptr, 16, 0, strided(counts)});
+    query::overlap_all(world.snapshot(), placed(shapes), {}, {nullptr, 16, 0, strided(counts)});
     EXPECT_EQ(counts[0], 8000u);
 }
 

@@ -17,12 +17,14 @@ using math::Box;
 using math::Vec3;
 using namespace test;
 
-auto builder() {
-    return with_options(build, BuildOptions{});
+auto builder(bool fast = false) {
+    BuildOptions options;
+    options.fast = fast;
+    return with_options(build, options);
 }
 
-Tree build_with(const Triangles& triangles, uint32_t workers) {
-    return build_alone(builder(), triangles, workers);
+Tree build_with(const Triangles& triangles, uint32_t workers, bool fast = false) {
+    return build_alone(builder(fast), triangles, workers);
 }
 
 Triangles soup(uint32_t seed, size_t count, float size, float scale = 1) {
@@ -108,8 +110,10 @@ private:
 };
 
 void expect_good(const Triangles& triangles) {
-    const Tree tree = build_with(triangles, 2);
-    Checker(tree, triangles).check();
+    for (const bool fast : {false, true}) {
+        const Tree tree = build_with(triangles, 2, fast);
+        Checker(tree, triangles).check();
+    }
 }
 
 void expect_same(const Tree& a, const Tree& b) {
@@ -175,17 +179,28 @@ TEST(BihBuilder, CutsOffEmptySpace) {
 
 TEST(BihBuilder, SameTreeForAnyNumberOfWorkers) {
     const Triangles triangles = soup(5, 50000, 0.02f);
-    const Tree one = build_with(triangles, 1);
-    Checker(one, triangles).check();
-    expect_same_for_any_workers(builder(), triangles, one, expect_same);
+    for (const bool fast : {false, true}) {
+        const Tree one = build_with(triangles, 1, fast);
+        Checker(one, triangles).check();
+        expect_same_for_any_workers(builder(fast), triangles, one, expect_same);
+    }
+}
+
+// Not so good a tree, but of the same kind.
+TEST(BihBuilder, FastCostsLittleMoreToTrace) {
+    const Triangles triangles = soup(8, 20000, 0.02f);
+    const double best = build_with(triangles, 1).report.sah_cost;
+    EXPECT_LT(build_with(triangles, 1, true).report.sah_cost, 1.5 * best);
 }
 
 TEST(BihBuilder, SurvivesEveryFailingAllocation) {
-    expect_survives_failing_allocations(builder(), soup(6, 5000, 0.05f), 1000);
+    for (const bool fast : {false, true})
+        expect_survives_failing_allocations(builder(fast), soup(6, 5000, 0.05f), 1000);
 }
 
 TEST(BihBuilder, ReportsProgressAndCancels) {
-    expect_progress_and_cancellation(builder(), soup(7, 50000, 0.02f));
+    for (const bool fast : {false, true})
+        expect_progress_and_cancellation(builder(fast), soup(7, 50000, 0.02f));
 }
 
 TEST(BihBuilder, RefusesTooManyTriangles) {

@@ -4,7 +4,8 @@
  *
  * The way of the data:
  *     describe (rt_add_*, rt_update_*, rt_remove_*)  ->  rt_commit_scene  ->  a frozen snapshot
- *     snapshot  ->  rt_trace_query, rt_resolve_hits, rt_render_frame
+ *     snapshot  ->  rt_trace_query, rt_sweep_shapes, rt_overlap_shapes, rt_find_nearest,
+ *                   rt_resolve_hits, rt_render_frame
  * What was described after the last commit is invisible to queries and frames until the next one.
  *
  * Units: metres, radians, linear RGB radiance. Right-handed, Y up, front faces counter-clockwise.
@@ -102,6 +103,9 @@ typedef struct rt_texture {
 typedef struct rt_light {
     uint32_t index, generation;
 } rt_light;
+typedef struct rt_snapshot {
+    uint32_t index, generation;
+} rt_snapshot;
 
 /* ---------------------------------------------------------------------------- the host's side */
 
@@ -171,6 +175,13 @@ RT_EXPORT rt_result rt_create_scene(const rt_scene_desc* desc, rt_scene* out_sce
 /* Frees the scene and everything in it, and joins its threads. Thread safety: not while another
  * call on this scene runs. */
 RT_EXPORT rt_result rt_destroy_scene(rt_scene scene) RT_NOEXCEPT;
+
+/* The point that the float coordinates of static and dynamic meshes are relative to; (0, 0, 0)
+ * until it is set. Whatever is a double (transforms, lights, cameras, origins of queries, resolved
+ * positions) is absolute. A level that lies 10,000 km away keeps its vertices small, puts the world
+ * origin there, and gets the answers of a level at (0, 0, 0). Seen after the next commit. Errors:
+ * INVALID_HANDLE, INVALID_ARGUMENT (null, a component not finite or beyond 1e30). */
+RT_EXPORT rt_result rt_set_world_origin(rt_scene scene, const double* origin) RT_NOEXCEPT;
 
 /* ----------------------------------------------------------------------------------- textures */
 
@@ -469,7 +480,7 @@ enum {
     RT_STRUCTURE_BIH = 3 /* builds quickly, takes little memory, traces one ray at a time */
 };
 
-/* How long to build for how much speed. The kd-tree and the BIH have one quality. */
+/* How long to build for how much speed. The kd-tree has one quality, the BIH two: fast and the rest. */
 typedef int32_t rt_build_quality;
 enum {
     RT_BUILD_BALANCED = 0,
@@ -530,16 +541,16 @@ typedef struct rt_commit_report {
     double build_ms;           /* wall time of the structure alone */
     double commit_ms;          /* wall time of the whole call */
     uint32_t light_count;
-    uint32_t rebuilt;         /* 0: no static or dynamic mesh had changed, structures were kept */
+    uint32_t rebuilt;         /* 0: no structure of a static or dynamic mesh was built */
     rt_structure structure;   /* of the static meshes; never AUTO */
     rt_build_quality quality; /* as asked for */
     uint64_t dynamic_triangle_count; /* of triangle_count: of dynamic meshes ... */
     uint64_t rigid_triangle_count;   /* ... and of rigid ones */
     uint32_t instance_count;         /* rigid meshes and instances that are not hidden */
     uint32_t static_rebuilt;         /* 1: of `rebuilt`, the structure of the static meshes ... */
-    uint32_t dynamic_rebuilt;        /* ... and that of the dynamic ones */
+    uint32_t dynamic_rebuilt;        /* ... and that of a dynamic one: each has its own */
     uint32_t reserved;
-    double dynamic_build_ms; /* wall time of the latter alone, whenever it was built */
+    double dynamic_build_ms; /* of the latter alone, each whenever it was built, added up */
 } rt_commit_report;
 
 static inline rt_commit_report rt_default_commit_report(void) {
@@ -556,6 +567,16 @@ static inline rt_commit_report rt_default_commit_report(void) {
  * CANCELLED. Thread safety: one describing thread at a time; queries and frames may run. */
 RT_EXPORT rt_result rt_commit_scene(rt_scene scene, const rt_commit_desc* desc,
                                     rt_commit_report* out_report) RT_NOEXCEPT;
+
+/* Keeps the current snapshot, so that queries and frames can ask it later (what did the shooter
+ * see 100 ms ago?), until it is released or the scene is destroyed. Costs the memory of what
+ * changed since. Errors: NOT_COMMITTED, LIMIT (256 are held), INVALID_ARGUMENT. Thread safety: any
+ * thread, any time. */
+RT_EXPORT rt_result rt_hold_snapshot(rt_scene scene, rt_snapshot* out_snapshot) RT_NOEXCEPT;
+
+/* The handle is stale at once; queries and frames that run on go on. Its memory is recycled by the
+ * next commit. Thread safety: any thread, any time. */
+RT_EXPORT rt_result rt_release_snapshot(rt_scene scene, rt_snapshot snapshot) RT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------- query */
 
@@ -583,14 +604,24 @@ typedef int32_t rt_query_kind;
 enum {
     RT_QUERY_CLOSEST = 0, /* the hit with the smallest t; of equal ones the smallest
                              (mesh.index, triangle) */
-    RT_QUERY_ANY = 1      /* whether there is a hit at all */
+    RT_QUERY_ANY = 1,     /* whether there is a hit at all */
+    RT_QUERY_ALL = 2,     /* the first max_hits crossings, in ascending (t, mesh.index, triangle) */
+    RT_QUERY_COUNT = 3    /* how many crossings there are */
 };
+
+/* Crossings are counted as if the ray were moved aside by an infinitely small amount: a ray through
+ * an edge or a vertex crosses a closed surface there as often as a ray beside it would, and two
+ * triangles that share the edge do not both report it. So a ray exactly through the open border of
+ * a mesh, which RT_QUERY_CLOSEST and RT_QUERY_ANY call a hit, may be none here. */
 
 typedef int32_t rt_faces;
 enum { RT_FACES_BOTH = 0, RT_FACES_FRONT = 1, RT_FACES_BACK = 2 };
 
 enum {
-    RT_QUERY_ALPHA_TEST = 1u << 0 /* pass through where a masked material is absent */
+    RT_QUERY_ALPHA_TEST = 1u << 0,     /* rays pass through where a masked material is absent */
+    RT_QUERY_USE_THREADS = 1u << 1,    /* spread a large batch over the scene's threads */
+    RT_QUERY_SKIP_SEPARATING = 1u << 2 /* sweeps: what is touched at the start does not count if the
+                                          motion goes no deeper into it */
 };
 
 /* What the host knows of the rays of a batch. It may change the speed, never the answers. */
@@ -639,9 +670,79 @@ static inline rt_hit_arrays rt_default_hit_arrays(void) {
     return arrays;
 }
 
+/* Asked about a triangle that would count for ray or shape `index` of the query: return 0, and it
+ * does not. For rays `candidate` is the hit; for shapes it names the triangle, with t, u and v 0.
+ * It is called on the thread of the query, in no particular order, possibly more than once for a
+ * triangle and for triangles that are not in the answer. It must not throw, and must answer alike
+ * when asked again. */
+typedef int32_t (*rt_accept_function)(void* user, uint64_t index, const rt_hit* candidate);
+
+/* What a call visited, all its rays or shapes together. Unlike the answers, this depends on the
+ * structure, the instruction set and the batch. */
+typedef struct rt_query_stats {
+    uint32_t struct_size;
+    uint32_t reserved;
+    uint64_t nodes;     /* whose boxes or planes were looked at */
+    uint64_t triangles; /* that were tested, one or several at a time */
+    uint64_t instances; /* of rigid meshes that were entered */
+} rt_query_stats;
+
+static inline rt_query_stats rt_default_query_stats(void) {
+    rt_query_stats stats;
+    memset(&stats, 0, sizeof stats);
+    stats.struct_size = (uint32_t)sizeof stats;
+    return stats;
+}
+
+/* What few queries need. */
+typedef struct rt_query_options {
+    uint32_t struct_size;
+    uint32_t reserved;            /* 0 */
+    double origin[3];             /* positions in the records of the query, both ways, are relative
+                                     to this point */
+    rt_snapshot snapshot;         /* null: the current one */
+    const rt_mesh* ignore_meshes; /* ignore_count of them; stale ones ignore nothing */
+    uint64_t ignore_count;
+    rt_accept_function accept; /* null: all count. The query then uses one thread. */
+    void* accept_user;
+    rt_query_stats* stats; /* null: not counted, which is faster */
+} rt_query_options;
+
+static inline rt_query_options rt_default_query_options(void) {
+    rt_query_options options;
+    memset(&options, 0, sizeof options);
+    options.struct_size = (uint32_t)sizeof options;
+    return options;
+}
+
+/* What lies at a hit. */
+typedef struct rt_surface {
+    double position[3];        /* from the barycentrics: on the triangle to rounding */
+    float geometric_normal[3]; /* unit; counter-clockwise side */
+    float shading_normal[3];   /* unit; interpolated, without normal map */
+    float texcoord[2];
+    rt_material material; /* null: the default material */
+    uint64_t material_user_data;
+    uint64_t mesh_user_data;
+} rt_surface;
+
+/* Fields of rt_surface. What is not asked for is not computed, and zero. */
+enum {
+    RT_SURFACE_POSITION = 1u << 0,
+    RT_SURFACE_GEOMETRIC_NORMAL = 1u << 1,
+    RT_SURFACE_SHADING_NORMAL = 1u << 2,
+    RT_SURFACE_TEXCOORD = 1u << 3,
+    RT_SURFACE_MATERIAL = 1u << 4,
+    RT_SURFACE_USER_DATA = 1u << 5, /* of the material and the mesh */
+    RT_SURFACE_ALL = 63u
+};
+
 /* Rays come as `rays` or as `ray_arrays`, hits go to `hits` or to `hit_arrays`: one of each pair,
  * the other null. `hits` and `hit_arrays` are for RT_QUERY_CLOSEST, `occluded` is for
- * RT_QUERY_ANY; what the kind does not need is not looked at. */
+ * RT_QUERY_ANY, `hit_counts` is for RT_QUERY_COUNT, and with `hits` (max_hits records a ray, of
+ * which the unused ones are not written) for RT_QUERY_ALL; what the kind does not need is not
+ * looked at.
+ */
 typedef struct rt_query_desc {
     uint32_t struct_size;
     rt_query_kind kind;
@@ -658,6 +759,13 @@ typedef struct rt_query_desc {
     rt_coherence coherence;
     const rt_ray_arrays* ray_arrays;
     const rt_hit_arrays* hit_arrays;
+    const rt_query_options* options; /* null: none */
+    uint32_t* hit_counts;            /* one a ray: hits stored (ALL), crossings (COUNT) */
+    rt_surface* surfaces;    /* one beside each of `hits` (records only); null: not wanted */
+    uint32_t surface_stride; /* in bytes; 0: packed */
+    uint32_t surface_fields; /* RT_SURFACE_* bits */
+    uint32_t max_hits;       /* ALL: at least 1 */
+    uint32_t reserved;       /* 0 */
 } rt_query_desc;
 
 /* Field by field: a query may be a few nanoseconds, and compilers turn memset and a copy into a
@@ -677,6 +785,13 @@ static inline rt_query_desc rt_default_query_desc(void) {
                                 0,
                                 RT_COHERENCE_AUTO,
                                 0, /* ray_arrays */
+                                0,
+                                0, /* options */
+                                0,
+                                0, /* surfaces */
+                                0,
+                                0,
+                                0, /* max_hits */
                                 0};
     return desc;
 }
@@ -688,19 +803,8 @@ static inline rt_query_desc rt_default_query_desc(void) {
  * (a component that is NaN, an origin beyond 1e30 in magnitude or infinite, a direction of length
  * zero or infinite; the ray is named), INVALID_HANDLE (the scene), INVALID_STRUCT, NOT_COMMITTED.
  * A stale ignore_mesh ignores nothing. Thread safety: any thread, any time. Runs on the calling
- * thread. */
+ * thread, unless RT_QUERY_USE_THREADS is set. */
 RT_EXPORT rt_result rt_trace_query(rt_scene scene, const rt_query_desc* desc) RT_NOEXCEPT;
-
-/* What lies at a hit. */
-typedef struct rt_surface {
-    double position[3];        /* from the barycentrics: on the triangle to rounding */
-    float geometric_normal[3]; /* unit; counter-clockwise side */
-    float shading_normal[3];   /* unit; interpolated, without normal map */
-    float texcoord[2];
-    rt_material material; /* null: the default material */
-    uint64_t material_user_data;
-    uint64_t mesh_user_data;
-} rt_surface;
 
 /* Resolves hits (strides in bytes, 0: packed). A miss gives all zeros. Errors: INVALID_HANDLE (a
  * mesh that the current snapshot does not have), INVALID_ARGUMENT (a triangle out of range). Thread
@@ -708,6 +812,158 @@ typedef struct rt_surface {
 RT_EXPORT rt_result rt_resolve_hits(rt_scene scene, const rt_hit* hits, uint64_t count,
                                     uint32_t hit_stride, rt_surface* out_surfaces,
                                     uint32_t surface_stride) RT_NOEXCEPT;
+
+/* ------------------------------------------------------------------------------------- shapes */
+
+/* Shapes meet triangles as surfaces, from both sides: a shape deep inside a closed mesh, away from
+ * its triangles, meets nothing. Holes of masked materials are closed to shapes. `faces` chooses
+ * triangles that a sweep runs against with their front (geometric normal against the direction) or
+ * back; that have the centre of an overlapping shape, or the point, before or behind their plane.
+ *
+ * Every answer is defined by one test of a shape and a triangle in double precision
+ * (docs/queries.md has its error bound, far below 0.1 mm in a level of 100 m), rounded to float at
+ * the end; like a ray's, it depends on the geometry and the shape alone. Triangles of rigid meshes
+ * are taken to the world in double first.
+ *
+ * Errors of the three calls: INVALID_ARGUMENT (a component that is NaN, infinite or beyond 1e30, a
+ * negative radius or extent, a direction or a rotation of length 0; the record and the field are
+ * named), INVALID_HANDLE, INVALID_STRUCT, NOT_COMMITTED. Nothing is written then. Thread safety:
+ * any thread, any time. They run on the calling thread, unless RT_QUERY_USE_THREADS is set. */
+
+/* The points within `radius` (>= 0) of the segment from centre - axis to centre + axis move along
+ * t direction, 0 <= t <= t_max. An axis of zero makes it a sphere. */
+typedef struct rt_sweep {
+    float center[3];
+    float radius;
+    float axis[3];
+    float t_max;
+    float direction[3]; /* any length but zero */
+    uint32_t reserved;  /* 0 */
+} rt_sweep;
+
+/* The first contact. Without one, t = +infinity, a null mesh and triangle RT_NO_TRIANGLE. */
+typedef struct rt_sweep_hit {
+    float t;         /* time of impact in lengths of the direction; 0 for an initial contact */
+    float point[3];  /* of contact, on the triangle */
+    float normal[3]; /* unit, from the surface to the shape; the face's own, against the direction,
+                        where the axis itself touches */
+    float depth;     /* initial contact: how deep the shape is in, radius - distance; otherwise 0 */
+    uint32_t triangle; /* of equal ones the smallest (mesh.index, triangle) */
+    rt_mesh mesh;
+    uint32_t initial_contact; /* 1: the shape touched something where it started, and this is the
+                                 triangle that it is deepest in */
+} rt_sweep_hit;
+
+typedef struct rt_sweep_desc {
+    uint32_t struct_size;
+    uint32_t flags; /* RT_QUERY_USE_THREADS, RT_QUERY_SKIP_SEPARATING */
+    const rt_sweep* sweeps;
+    uint64_t sweep_count;              /* 0 is allowed and does nothing */
+    rt_sweep_hit* hits;                /* one a sweep */
+    uint32_t sweep_stride, hit_stride; /* in bytes; 0: packed */
+    rt_faces faces;
+    uint32_t layer_mask;
+    rt_mesh ignore_mesh;             /* null: none */
+    const rt_query_options* options; /* null: none */
+} rt_sweep_desc;
+
+static inline rt_sweep_desc rt_default_sweep_desc(void) {
+    rt_sweep_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.layer_mask = 0xffffffffu;
+    return desc;
+}
+
+/* When, where and against what moving spheres and capsules run. */
+RT_EXPORT rt_result rt_sweep_shapes(rt_scene scene, const rt_sweep_desc* desc) RT_NOEXCEPT;
+
+typedef uint32_t rt_shape_kind;
+enum { RT_SHAPE_SPHERE = 0, RT_SHAPE_CAPSULE = 1, RT_SHAPE_BOX = 2 };
+
+typedef struct rt_shape {
+    float center[3];
+    float radius;    /* sphere, capsule; >= 0 */
+    float extent[3]; /* capsule: the axis, from the centre to that of a cap; box: half its sizes */
+    rt_shape_kind kind;
+    float rotation[4]; /* box: a quaternion x, y, z, w of any length but zero */
+} rt_shape;
+
+typedef struct rt_overlap {
+    rt_mesh mesh;
+    uint32_t triangle;
+    uint32_t reserved; /* 0 */
+} rt_overlap;
+
+/* `overlapping` says whether a shape touches anything. `overlaps` receives which triangles, in
+ * ascending (mesh.index, triangle), max_overlaps records a shape, and needs `overlap_counts`, which
+ * says how many there are in all. Either or both. */
+typedef struct rt_overlap_desc {
+    uint32_t struct_size;
+    uint32_t flags; /* RT_QUERY_USE_THREADS */
+    const rt_shape* shapes;
+    uint64_t shape_count;     /* 0 is allowed and does nothing */
+    uint8_t* overlapping;     /* one a shape, 1 or 0 */
+    rt_overlap* overlaps;     /* max_overlaps a shape; the unused ones are not written */
+    uint32_t* overlap_counts; /* one a shape */
+    uint32_t max_overlaps;
+    uint32_t shape_stride; /* in bytes; 0: packed */
+    rt_faces faces;
+    uint32_t layer_mask;
+    rt_mesh ignore_mesh;             /* null: none */
+    const rt_query_options* options; /* null: none */
+} rt_overlap_desc;
+
+static inline rt_overlap_desc rt_default_overlap_desc(void) {
+    rt_overlap_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.layer_mask = 0xffffffffu;
+    return desc;
+}
+
+/* Which shapes touch triangles, and which. */
+RT_EXPORT rt_result rt_overlap_shapes(rt_scene scene, const rt_overlap_desc* desc) RT_NOEXCEPT;
+
+typedef struct rt_point {
+    float position[3];
+    float radius; /* how far to look; >= 0, finite */
+} rt_point;
+
+/* The point of a surface that is nearest. Without one, distance = +infinity, a null mesh and
+ * triangle RT_NO_TRIANGLE. */
+typedef struct rt_nearest {
+    float distance;
+    float point[3];
+    float normal[3];   /* unit, from the surface to the point; the face's own where distance is 0 */
+    float u, v;        /* barycentrics, as in rt_hit */
+    uint32_t triangle; /* of equal ones the smallest (mesh.index, triangle) */
+    rt_mesh mesh;
+} rt_nearest;
+
+typedef struct rt_nearest_desc {
+    uint32_t struct_size;
+    uint32_t flags; /* RT_QUERY_USE_THREADS */
+    const rt_point* points;
+    uint64_t point_count;                 /* 0 is allowed and does nothing */
+    rt_nearest* results;                  /* one a point */
+    uint32_t point_stride, result_stride; /* in bytes; 0: packed */
+    rt_faces faces;
+    uint32_t layer_mask;
+    rt_mesh ignore_mesh;             /* null: none */
+    const rt_query_options* options; /* null: none */
+} rt_nearest_desc;
+
+static inline rt_nearest_desc rt_default_nearest_desc(void) {
+    rt_nearest_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.layer_mask = 0xffffffffu;
+    return desc;
+}
+
+/* The nearest point of any surface within a radius. */
+RT_EXPORT rt_result rt_find_nearest(rt_scene scene, const rt_nearest_desc* desc) RT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------- frame */
 
@@ -773,6 +1029,7 @@ typedef struct rt_frame_desc {
     uint64_t triangle_row_stride;
     uint64_t mesh_row_stride;
     uint64_t normal_row_stride;
+    rt_snapshot snapshot; /* null: the current one */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -873,6 +1130,12 @@ typedef struct rt_api {
     rt_result (*set_mesh_transform)(rt_scene scene, rt_mesh mesh, const rt_transform* transform);
     rt_result (*set_mesh_layer_mask)(rt_scene scene, rt_mesh mesh, uint32_t layer_mask);
     rt_result (*set_mesh_hidden)(rt_scene scene, rt_mesh mesh, uint32_t hidden);
+    rt_result (*set_world_origin)(rt_scene scene, const double* origin);
+    rt_result (*hold_snapshot)(rt_scene scene, rt_snapshot* out_snapshot);
+    rt_result (*release_snapshot)(rt_scene scene, rt_snapshot snapshot);
+    rt_result (*sweep_shapes)(rt_scene scene, const rt_sweep_desc* desc);
+    rt_result (*overlap_shapes)(rt_scene scene, const rt_overlap_desc* desc);
+    rt_result (*find_nearest)(rt_scene scene, const rt_nearest_desc* desc);
 } rt_api;
 
 /* The table for hosts that load the library by hand; look this one symbol up. `version` is the

@@ -1,5 +1,6 @@
 #include "accel/bih/builder.h"
 
+#include "accel/bih/morton.h"
 #include "accel/bih/top_levels.h"
 #include "accel/buffer.h"
 #include "accel/subtrees.h"
@@ -23,11 +24,12 @@ void build_subtrees(const Task& task, base::Vector<Subtree>& subtrees, base::Sch
 void join(const Task& task, const base::Vector<Subtree>& subtrees, base::Scheduler& scheduler,
           Tree& tree) {
     base::Vector<uint32_t> begins(task.memory);
+    begins.reserve(subtrees.capacity());
     size_t total = tree.nodes.size();
     size_t references = 0;
     for (const Subtree& subtree : subtrees) {
         begins.push_back(uint32_t(total));
-        total += subtree.nodes.size() - 1;
+        total += subtree.count - 1;
         references += subtree.range.size();
     }
     if (total > kMaxNodes)
@@ -38,7 +40,7 @@ void join(const Task& task, const base::Vector<Subtree>& subtrees, base::Schedul
     scheduler.for_each(uint32_t(subtrees.size()), [&](uint32_t i) {
         const Subtree& subtree = subtrees[i];
         uint32_t to = subtree.slot;
-        for (size_t k = 0; k < subtree.nodes.size(); ++k) {
+        for (size_t k = 0; k < subtree.count; ++k) {
             Node node = subtree.nodes[k];
             if (!node.is_leaf()) node.move_child(begins[i] - 1);
             tree.nodes[to] = node;
@@ -77,10 +79,18 @@ Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& op
 
     Buffer<Reference> references(memory);
     references.allocate(triangles.size());
-    const Task task{references.data(), options, control, memory};
+    Buffer<Node> nodes(memory);
+    nodes.allocate(kNodesPerTriangle * triangles.size());
+    Buffer<Bounds> blocks(memory);
+    if (options.fast) blocks.allocate(blocks_for(triangles.size()));
+    const Task task{references.data(), blocks.data(), nodes.data(), options, control, memory};
     Range root{};
     root.end = uint32_t(triangles.size());
-    root.extent = make_references(triangles, scheduler, memory, references.data());
+    if (options.fast)
+        root.extent.bounds =
+            make_sorted_references(triangles, scheduler, memory, references.data(), blocks.data());
+    else
+        root.extent = make_references(triangles, scheduler, memory, references.data());
     root.cell = root.extent.bounds;
     tree.bounds = root.cell.box();
 

@@ -13,6 +13,7 @@ namespace peregrine::accel::bih {
 struct BuildOptions {
     float traversal_cost = 1.0f;    // of a node, ...
     float intersection_cost = 1.0f; // ... of a triangle
+    bool fast = false; // sorts once, along a curve through space, and asks no costs where to split
 };
 
 // The bounding interval hierarchy of Waechter and Keller (EGSR 2006): objects are sorted in place,

@@ -1,5 +1,6 @@
 #include "accel/bih/split.h"
 
+#include "accel/bih/morton.h"
 #include "accel/bin_mapping.h"
 
 #include <algorithm>
@@ -140,6 +141,8 @@ void halve(const Task& task, const Range& range, Halves& halves) {
     halves.left.end = range.begin + half;
 }
 
+} // namespace
+
 void finish(const Range& range, Halves& halves) {
     halves.left.begin = range.begin;
     halves.right.begin = halves.left.end;
@@ -151,9 +154,8 @@ void finish(const Range& range, Halves& halves) {
     halves.right.cell.lower[axis] = halves.right.extent.bounds.lower[axis];
 }
 
-} // namespace
-
 bool split(const Task& task, const Range& range, Halves& halves) {
+    if (task.blocks) return split_sorted(task, range, halves);
     if (range.size() == 1) return false;
     Plane plane;
     if (range.depth + levels_for(range.size()) < kMaxDepth) plane = find_plane(task, range);

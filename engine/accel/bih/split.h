@@ -14,6 +14,9 @@ struct Halves {
     }
 };
 
+// What follows from the children's references and bounds.
+void finish(const Range& range, Halves& halves);
+
 // False if the range is to be a leaf. Sorts its references.
 bool split(const Task& task, const Range& range, Halves& halves);
 

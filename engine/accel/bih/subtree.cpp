@@ -14,12 +14,14 @@ constexpr uint32_t kReferencesToAsk = 4096;
 // Recursive, kMaxDepth deep at most.
 void build_node(const Task& task, Subtree& subtree, Range range, uint32_t slot) {
     if (range.size() >= kReferencesToAsk && task.control.cancelled()) return;
-    base::Vector<Node>& nodes = subtree.nodes;
+    Node* const nodes = subtree.nodes;
     Statistics& statistics = subtree.statistics;
-    for (Node node; cut(task, range, uint32_t(nodes.size()), node); slot = node.child()) {
+    for (Node node; subtree.cuts < subtree.range.size() && cut(task, range, subtree.count, node);
+         slot = node.child()) {
         statistics.cost += double(task.costs.traversal_cost) * half_area(range.cell);
         nodes[slot] = node;
-        nodes.emplace_back();
+        ++subtree.cuts;
+        ++subtree.count;
     }
     Halves halves;
     if (!split(task, range, halves)) {
@@ -32,8 +34,8 @@ void build_node(const Task& task, Subtree& subtree, Range range, uint32_t slot) 
         return;
     }
     statistics.cost += double(task.costs.traversal_cost) * half_area(range.cell);
-    const uint32_t left = uint32_t(nodes.size());
-    nodes.resize(left + 2);
+    const uint32_t left = subtree.count;
+    subtree.count += 2;
     nodes[slot] = halves.node(left);
     build_node(task, subtree, halves.left, left);
     build_node(task, subtree, halves.right, left + 1);
@@ -49,8 +51,8 @@ void Statistics::add(const Statistics& other) {
 }
 
 void build_subtree(const Task& task, Subtree& subtree) {
-    subtree.nodes.reserve(2 * subtree.range.size());
-    subtree.nodes.emplace_back();
+    subtree.nodes = task.nodes + size_t(kNodesPerTriangle) * subtree.range.begin;
+    subtree.count = 1;
     build_node(task, subtree, subtree.range, 0);
 }
 

@@ -16,13 +16,12 @@ struct Statistics {
 
 // What one thread builds.
 struct Subtree {
-    Subtree(uint32_t node, const Range& all, base::Memory* memory)
-        : slot(node), range(all), nodes(memory) {}
-
     uint32_t slot; // of its root among the top nodes
     Range range;
-    base::Vector<Node> nodes; // with links within
-    Statistics statistics;
+    Node* nodes = nullptr; // with links within
+    uint32_t count = 0;
+    uint32_t cuts = 0;
+    Statistics statistics = {};
 };
 
 // Incomplete if cancelled.

@@ -14,9 +14,14 @@ inline constexpr uint64_t kMaxTriangles = uint64_t(1) << 27;
 // More are split whatever it costs, even if they all lie at one place.
 inline constexpr uint32_t kMaxLeaf = 8;
 
+// Inner nodes and leaves are fewer than two, and a subtree has at most one cut for each.
+inline constexpr uint32_t kNodesPerTriangle = 3;
+
 // What all parts of one build share.
 struct Task {
     Reference* references; // sorted in place
+    const Bounds* blocks;  // null, or they were sorted along a curve, once for all (morton.h)
+    Node* nodes;           // room for those of subtrees
     BuildOptions costs;
     Control& control;
     base::Memory* memory;

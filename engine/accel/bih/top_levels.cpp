@@ -25,10 +25,16 @@ void build_top(const Task& task, const Range& root, base::Scheduler& scheduler,
                base::Vector<Node>& nodes, base::Vector<Subtree>& subtrees, Statistics& statistics) {
     const uint32_t subtree_size = std::max(kMinSubtreeSize, root.size() / kSubtreesWanted);
     const double traversal = double(task.costs.traversal_cost);
-    base::Vector<Item> level(task.memory);
+    // Room that hardly depends on where the triangles are, so that builds use it again.
+    const size_t usual = size_t(2) * (root.size() / subtree_size + 1);
+    base::Vector<Item> level(task.memory), next(task.memory);
+    level.reserve(usual);
+    next.reserve(usual);
+    subtrees.reserve(usual);
+    nodes.reserve(size_t(2) * root.size());
     const auto add = [&](uint32_t slot, Range range, base::Vector<Item>& to) {
         if (range.size() <= subtree_size) {
-            subtrees.emplace_back(slot, range, task.memory);
+            subtrees.push_back({slot, range});
             return;
         }
         for (Node node; cut(task, range, uint32_t(nodes.size()), node); slot = node.child()) {
@@ -44,7 +50,7 @@ void build_top(const Task& task, const Range& root, base::Scheduler& scheduler,
         if (task.control.report(kShareOfTop * (1 - 1 / float(depth)))) return;
         scheduler.for_each(uint32_t(level.size()),
                            [&](uint32_t i) { split(task, level[i].range, level[i].halves); });
-        base::Vector<Item> next(task.memory);
+        next.clear();
         for (const Item& item : level) {
             const uint32_t left = uint32_t(nodes.size());
             nodes.resize(left + 2);
@@ -53,7 +59,7 @@ void build_top(const Task& task, const Range& root, base::Scheduler& scheduler,
             add(left, item.halves.left, next);
             add(left + 1, item.halves.right, next);
         }
-        level = std::move(next);
+        std::swap(level, next);
     }
 }
 

@@ -11,8 +11,8 @@ namespace {
 struct Leaves {
     static const uint32_t* references(const Target& target) { return target.bih_references; }
     template <class Real, class Leaf>
-    static void visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
-        visit_leaves(target, slabs, leaf);
+    static uint32_t visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
+        return visit_leaves(target, slabs, leaf);
     }
 };
 
@@ -25,7 +25,9 @@ Kernels make_kernels(base::Isa isa) {
             Rays::occluded,
             closest_each<Rays::closest>,
             occluded_each<Rays::occluded>,
+            Rays::visit,
             isa,
+            &kShapesInLists<Leaves>,
             &kShapesInLists<Leaves>};
 }
 

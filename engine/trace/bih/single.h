@@ -85,17 +85,22 @@ struct Single {
     template <bool Filtered, class Real>
     static Hit closest(const Target& target, const math::Ray& ray, const Filter& filter,
                        Real reach) {
-        return closest_in_lists<Filtered>(target, target.bih_references, ray, filter, reach, visit);
+        return closest_in_lists<Filtered>(target, target.bih_references, ray, filter, reach,
+                                          leaves);
     }
     template <bool Filtered, class Real>
     static bool occluded(const Target& target, const math::Ray& ray, const Filter& filter,
                          Real reach) {
         return occluded_in_lists<Filtered>(target, target.bih_references, ray, filter, reach,
-                                           visit);
+                                           leaves);
+    }
+    template <class Real>
+    static void visit(const Target& target, const math::Ray& ray, Visitor& visitor, Real reach) {
+        visit_lists(target, target.bih_references, ray, visitor, reach, leaves);
     }
 
 private:
-    static constexpr auto visit = [](const Target& target, const auto& ray, auto& leaf) {
+    static constexpr auto leaves = [](const Target& target, const auto& ray, auto& leaf) {
         return visit_leaves(target, ray, leaf);
     };
 };

@@ -1,6 +1,7 @@
 #include "trace/bvh/kernels.h"
 
 #include "trace/bvh/plain.h"
+#include "trace/bvh/plain_shapes.h"
 #include "trace/bvh/shape_kernels.h"
 #include "trace/bvh/simd_kernels.h"
 #include "trace/each.h"
@@ -12,6 +13,7 @@ Kernels make_kernels(base::Isa isa) {
         Kernels kernels = *simd;
         kernels.isa = isa;
         kernels.shapes = &shape_kernels(isa);
+        kernels.plain_shapes = &kPlainShapesOfBlocks;
         return kernels;
     }
     using Rays = OneRay<Plain>;
@@ -19,8 +21,10 @@ Kernels make_kernels(base::Isa isa) {
             Rays::occluded,
             closest_each<Rays::closest>,
             occluded_each<Rays::occluded>,
+            Rays::visit,
             isa,
-            &shape_kernels(isa)};
+            &shape_kernels(isa),
+            &kPlainShapesOfBlocks};
 }
 
 } // namespace peregrine::trace::bvh

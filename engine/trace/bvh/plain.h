@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/bvh/tree.h"
+#include "geometry/crossing.h"
 #include "geometry/intersect.h"
 #include "trace/kernels.h"
 #include "trace/slabs.h"
@@ -66,13 +67,22 @@ uint32_t visit_triangles(const Target& target, const Slabs<Real>& ray, Test&& te
     return visited;
 }
 
+inline math::Vec3 vertex(const Block& block, uint32_t lane, int i) {
+    return {block.vertex[i][0][lane], block.vertex[i][1][lane], block.vertex[i][2][lane]};
+}
+
 inline bool intersect(const geometry::ShearedRay& ray, const Block& block, uint32_t lane,
                       geometry::TriangleHit& hit) {
-    const auto vertex = [&](int i) {
-        return math::Vec3(block.vertex[i][0][lane], block.vertex[i][1][lane],
-                          block.vertex[i][2][lane]);
-    };
-    return geometry::intersect(ray, vertex(0), vertex(1), vertex(2), hit);
+    return geometry::intersect(ray, vertex(block, lane, 0), vertex(block, lane, 1),
+                               vertex(block, lane, 2), hit);
+}
+
+// Of a triangle that the ray hits: whether the visitor wants to see it.
+inline bool is_wanted(const Visitor& visitor, const geometry::ShearedRay& ray, const Block& block,
+                      uint32_t lane) {
+    return !visitor.wants_crossings()
+           || geometry::is_crossed(ray, vertex(block, lane, 0), vertex(block, lane, 1),
+                                   vertex(block, lane, 2));
 }
 
 // For OneRay.
@@ -114,6 +124,21 @@ struct Plain {
         visit_triangles(target, slabs(target.bounds, ray, reach), test);
         return occluded;
     }
+
+    template <class Real>
+    static void visit(const Target& target, const math::Ray& ray, Visitor& visitor, Real reach) {
+        geometry::ShearedRay sheared = geometry::shear(ray);
+        const auto test = [&](const Block& block, uint32_t lane, Real& t_limit) {
+            ++visitor.counters.triangles;
+            geometry::TriangleHit hit;
+            if (!intersect(sheared, block, lane, hit) || !is_wanted(visitor, sheared, block, lane))
+                return false;
+            sheared.t_max = std::min(sheared.t_max, visitor.see(block.triangle[lane], hit));
+            t_limit = std::min(t_limit, Real(sheared.t_max));
+            return !(sheared.t_min <= sheared.t_max);
+        };
+        visitor.counters.nodes += visit_triangles(target, slabs(target.bounds, ray, reach), test);
+    }
 };
 
 // For rays that SIMD kernels leave aside.
@@ -124,6 +149,9 @@ Hit closest_in_double(const Target& target, const math::Ray& ray, const Filter& 
 template <bool Filtered>
 bool occluded_in_double(const Target& target, const math::Ray& ray, const Filter& filter) {
     return Plain::occluded<Filtered>(target, ray, filter, reach<double>(target.bounds, ray.origin));
+}
+inline void visit_in_double(const Target& target, const math::Ray& ray, Visitor& visitor) {
+    Plain::visit(target, ray, visitor, reach<double>(target.bounds, ray.origin));
 }
 
 } // namespace peregrine::trace::bvh

@@ -15,10 +15,11 @@ inline Vertices vertices_of(const Block& block, uint32_t lane) {
 
 struct TrianglesOfBlocks {
     template <class Real, class Visit>
-    static void visit(const Target& target, const Slabs<Real>& slabs, Visit&& visit) {
-        visit_triangles(target, slabs, [&](const Block& block, uint32_t lane, Real& t_limit) {
-            return visit(vertices_of(block, lane), block.triangle[lane], t_limit);
-        });
+    static uint32_t visit(const Target& target, const Slabs<Real>& slabs, Visit&& visit) {
+        return visit_triangles(
+            target, slabs, [&](const Block& block, uint32_t lane, Real& t_limit) {
+                return visit(vertices_of(block, lane), block.triangle[lane], t_limit);
+            });
     }
 };
 

@@ -96,8 +96,8 @@ HWY_ATTR void are_occluded(const Target& target, const RayStream& rays, const Fi
                          : occluded_stream<true>(target, rays, filter, result);
 }
 
-[[maybe_unused]] constexpr Kernels kKernels = {closest_hit, is_occluded, closest_hits, are_occluded,
-                                               base::Isa::best};
+[[maybe_unused]] constexpr Kernels kKernels = {closest_hit,  is_occluded, closest_hits,
+                                               are_occluded, visit,       base::Isa::best};
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -151,6 +151,38 @@ HWY_ATTR bool occluded(const Target& target, const math::Ray& ray, const Filter&
         });
 }
 
+HWY_ATTR inline void visit(const Target& target, const math::Ray& ray, Visitor& visitor) {
+    if (target.bounds.empty()) return;
+    const RayLanes lanes(target.bounds, ray);
+    if (!fits_float(hn::GetLane(lanes.largest), hn::GetLane(lanes.reach))) [[unlikely]]
+        return visit_in_double(target, ray, visitor);
+    const NodeRay node_ray(lanes);
+    const BlockRay block_ray(lanes, ray);
+    const geometry::ShearedRay sheared = geometry::shear(ray);
+    float t_max = block_ray.t_max;
+    visitor.counters.nodes += visit_from_near(
+        target.bvh_nodes, node_ray, ray.t_min,
+        t_max, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
+            constexpr uint32_t kWidth = accel::bvh::kBlockWidth;
+            visitor.counters.triangles += link.count();
+            const Block* block = target.bvh_blocks + link.first_block();
+            for (uint32_t first = 0; first < link.count(); first += kWidth, ++block) {
+                BlockHits hits;
+                if (!intersect(block_ray, *block, t_max, hits)) continue;
+                // Without what repeats the last triangle.
+                const uint32_t filled = (1u << std::min(link.count() - first, kWidth)) - 1;
+                for (uint32_t hit = hits.lanes & filled; hit; hit &= hit - 1) {
+                    const uint32_t i = uint32_t(std::countr_zero(hit));
+                    if (hits.t[i] > t_max || !is_wanted(visitor, sheared, *block, i)) continue;
+                    const bool back_face = hits.back_faces >> i & 1;
+                    t_max =
+                        std::min(t_max, visitor.see(block->triangle[i],
+                                                    {hits.t[i], hits.u[i], hits.v[i], back_face}));
+                }
+            }
+        });
+}
+
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

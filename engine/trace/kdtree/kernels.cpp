@@ -12,8 +12,8 @@ namespace {
 struct Leaves {
     static const uint32_t* references(const Target& target) { return target.references; }
     template <class Real, class Leaf>
-    static void visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
-        visit_leaves(target, slabs, leaf);
+    static uint32_t visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
+        return visit_leaves(target, slabs, leaf);
     }
 };
 
@@ -26,7 +26,9 @@ Kernels make_kernels(base::Isa isa) {
             Rays::occluded,
             streams ? streams->closest : closest_each<Rays::closest>,
             streams ? streams->occluded : occluded_each<Rays::occluded>,
+            Rays::visit,
             isa,
+            &kShapesInLists<Leaves>,
             &kShapesInLists<Leaves>};
 }
 

@@ -18,6 +18,14 @@ inline uint64_t key_of(const Place& place, const geometry::TriangleInfo& triangl
                            triangle.primitive);
 }
 
+// The host's word.
+template <class Query>
+bool is_accepted(const Query& query, const Place& place, const geometry::TriangleInfo& triangle) {
+    if (!query.watch || !query.watch->accepts) return true;
+    const uint32_t mesh = place.mesh == geometry::kNoTriangle ? triangle.mesh : place.mesh;
+    return query.watch->accepts(query.watch->context, mesh, triangle.primitive);
+}
+
 // 1 where the centre is in front of the triangle or in its plane, else -1.
 inline double facing(const Place& place, const geometry::Face& face) {
     const double height = -glm::dot(face.normal, face.corner);
@@ -39,7 +47,8 @@ inline void judge(const SweepQuery& query, const Place& place, const Vertices& v
     if (contact.initial && query.skip_separating
         && !(glm::dot(query.sweep.motion.direction, contact.normal) < 0))
         return;
-    if (counts(query.filter, infos[index], place.mirrored ? contact.rate : -contact.rate))
+    if (counts(query.filter, infos[index], place.mirrored ? contact.rate : -contact.rate)
+        && is_accepted(query, place, infos[index]))
         best = hit;
 }
 
@@ -47,7 +56,8 @@ inline bool judge(const OverlapQuery& query, const Place& place, const Vertices&
                   const geometry::TriangleInfo& info) {
     const geometry::Corners corners = vertices.around(place, query.shape.center);
     const geometry::Face face = geometry::face_of(corners);
-    return query.shape.touches(corners, face) && counts(query.filter, info, facing(place, face));
+    return query.shape.touches(corners, face) && counts(query.filter, info, facing(place, face))
+           && is_accepted(query, place, info);
 }
 
 inline void judge(const NearestQuery& query, const Place& place, const Vertices& vertices,
@@ -59,7 +69,8 @@ inline void judge(const NearestQuery& query, const Place& place, const Vertices&
     hit.distance = float(std::sqrt(nearest.square));
     hit.triangle = index;
     if (!(hit.distance <= query.radius) || !hit.comes_before(best)
-        || !counts(query.filter, infos[index], facing(place, face)))
+        || !counts(query.filter, infos[index], facing(place, face))
+        || !is_accepted(query, place, infos[index]))
         return;
     hit.at = nearest.at;
     hit.u = float(nearest.u);

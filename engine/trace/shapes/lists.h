@@ -9,9 +9,9 @@ namespace peregrine::trace {
 template <class Leaves>
 struct TrianglesOfLists {
     template <class Real, class Visit>
-    static void visit(const Target& target, const Slabs<Real>& slabs, Visit&& visit) {
+    static uint32_t visit(const Target& target, const Slabs<Real>& slabs, Visit&& visit) {
         const uint32_t* const references = Leaves::references(target);
-        Leaves::visit(target, slabs, [&](uint32_t first, uint32_t count, Real& t_limit) {
+        return Leaves::visit(target, slabs, [&](uint32_t first, uint32_t count, Real& t_limit) {
             for (uint32_t i = first; i < first + count; ++i) {
                 const geometry::Triangle& triangle = target.triangles[references[i]];
                 if (visit(Vertices{triangle.v0, triangle.v1, triangle.v2}, references[i], t_limit))

@@ -6,9 +6,10 @@
 
 // The kernels for shapes in plain C++, given what a structure knows:
 //     template <class Real, class Visit>
-//     static void visit(const Target&, const Slabs<Real>&, Visit&&);
+//     static uint32_t visit(const Target&, const Slabs<Real>&, Visit&&);
 // calls visit(vertices, index, t_limit), which may lower t_limit, for each triangle of the leaves
-// that the volume may touch, until that returns true. A triangle may come more than once.
+// that the volume may touch, until that returns true, and returns the number of nodes visited. A
+// triangle may come more than once.
 namespace peregrine::trace {
 
 template <class Structure>
@@ -16,7 +17,7 @@ class PlainShapes {
 public:
     static void sweep(const Target& target, const Place& place, const Volume& volume,
                       const SweepQuery& query, FirstHit& best) {
-        visit(target, volume, best.initial ? 0 : best.limit(query.t_max),
+        visit(target, volume, query.watch, best.initial ? 0 : best.limit(query.t_max),
               [&](const Vertices& vertices, uint32_t index, auto& t_limit) {
                   judge(query, place, vertices, target.infos, index, best);
                   using Real = std::remove_reference_t<decltype(t_limit)>;
@@ -28,7 +29,7 @@ public:
     static bool overlaps(const Target& target, const Place& place, const Volume& volume,
                          const OverlapQuery& query) {
         bool found = false;
-        visit(target, volume, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
+        visit(target, volume, query.watch, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
             return found = judge(query, place, vertices, target.infos[index]);
         });
         return found;
@@ -36,7 +37,7 @@ public:
 
     static void collect(const Target& target, const Place& place, const Volume& volume,
                         const OverlapQuery& query, Touched& touched) {
-        visit(target, volume, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
+        visit(target, volume, query.watch, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
             const uint64_t key = key_of(place, target.infos[index]);
             if (touched.wants(key) && judge(query, place, vertices, target.infos[index]))
                 touched.add(key);
@@ -52,10 +53,11 @@ public:
         const double reach = reach_of(target.bounds, with_radius(volume, 0));
         for (double radius = first_radius(target.bounds, volume);; radius *= 4) {
             const Volume ball = with_radius(volume, std::min(radius, end));
-            visit(target, ball, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
-                judge(query, place, vertices, target.infos, index, best);
-                return false;
-            });
+            visit(target, ball, query.watch, 0,
+                  [&](const Vertices& vertices, uint32_t index, auto&) {
+                      judge(query, place, vertices, target.infos, index, best);
+                      return false;
+                  });
             const bool is_all = ball.radius > reach;
             if (!(radius < end) || double(best.distance) <= radius || is_all) return;
         }
@@ -63,13 +65,20 @@ public:
 
 private:
     template <class Visit>
-    static void visit(const Target& target, const Volume& volume, float t_max, Visit&& visit) {
+    static void visit(const Target& target, const Volume& volume, const Watch* watch, float t_max,
+                      Visit&& visit) {
         if (target.bounds.empty()) return;
+        uint64_t triangles = 0;
+        const auto counted = [&](const Vertices& vertices, uint32_t index, auto& t_limit) {
+            ++triangles;
+            return visit(vertices, index, t_limit);
+        };
         const double reach = reach_of(target.bounds, volume);
-        if (fits_float(volume, reach))
-            Structure::visit(target, slabs<float>(volume, reach, t_max), visit);
-        else
-            Structure::visit(target, slabs<double>(volume, reach, t_max), visit);
+        const uint32_t nodes =
+            fits_float(volume, reach)
+                ? Structure::visit(target, slabs<float>(volume, reach, t_max), counted)
+                : Structure::visit(target, slabs<double>(volume, reach, t_max), counted);
+        if (watch && watch->counters) *watch->counters += {nodes, triangles, 0};
     }
 };
 

@@ -5,6 +5,7 @@
 #include "geometry/triangle.h"
 #include "math/affine.h"
 #include "trace/filter.h"
+#include "trace/visitor.h"
 
 #include <cstdint>
 #include <limits>
@@ -48,11 +49,20 @@ inline bool counts(const Filter& filter, const geometry::TriangleInfo& triangle,
     return filter.sees_mesh(triangle);
 }
 
+// What few queries want besides.
+struct Watch {
+    // Null: all triangles count that pass the rest.
+    bool (*accepts)(void* context, uint32_t mesh, uint32_t primitive) = nullptr;
+    void* context = nullptr;
+    Counters* counters = nullptr; // null: not counted
+};
+
 struct SweepQuery {
     geometry::Sweep sweep;
     Filter filter;
     float t_max;
     bool skip_separating; // initial contacts that do not get deeper do not count
+    const Watch* watch = nullptr;
 };
 
 // The contact that comes first: initial ones before others, the deepest of them; the smallest t of
@@ -99,12 +109,14 @@ struct Shape {
 struct OverlapQuery {
     Shape shape;
     Filter filter;
+    const Watch* watch = nullptr;
 };
 
 struct NearestQuery {
     math::Vec3d point{0};
     Filter filter;
     float radius = 0;
+    const Watch* watch = nullptr;
 };
 
 struct NearestHit {

@@ -6,13 +6,21 @@ namespace peregrine::trace {
 
 // What is left of the filter within an instance, whose mesh is seen as a whole or not at all.
 inline bool sees(const Filter& filter, const Instance& instance) {
-    return instance.mesh != filter.ignore_mesh && (instance.layer_mask & filter.layer_mask) != 0;
+    return !filter.ignores(instance.mesh) && (instance.layer_mask & filter.layer_mask) != 0;
+}
+
+// The ray as the instance's triangles are asked about it; false if nothing is left of it.
+inline bool within(const Instance& instance, const math::Ray& ray, math::Ray& local) {
+    if (instance.has_own_space) return to_local(instance.to_local, ray, local);
+    local = ray;
+    return true;
 }
 
 inline Filter filter_within(const Filter& filter, const Instance& instance) {
     Filter within = filter;
     within.layer_mask = ~0u;
     within.ignore_mesh = geometry::kNoTriangle;
+    within.ignore_more = {};
     if (filter.alpha.present) within.alpha = instance.alpha;
     return within;
 }

@@ -8,6 +8,8 @@
 
 #include "trace/world/ray_lists.h"
 
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::HWY_NAMESPACE {
 
@@ -19,37 +21,90 @@ constexpr Numbers kI;
 constexpr hn::Rebind<RayNumber, Lanes> kN;
 constexpr uint32_t kWidth = uint32_t(hn::MaxLanes(kF));
 
+// Which of the rays that of(array) reads may meet the extent, a bit each.
+template <class Of>
+HWY_ATTR HWY_INLINE uint32_t meet(const accel::instances::Extent& extent, const GateStream& rays,
+                                  const Of& of) {
+    const auto m =
+        hn::Add(hn::Set(kF, extent.margin), hn::Mul(hn::Set(kF, extent.slope), of(rays.distance)));
+    auto near = of(rays.t_min), far = of(rays.t_max);
+    for (int k = 0; k < 3; ++k) {
+        const auto origin = of(rays.origin[k]), inverse = of(rays.inverse[k]);
+        const auto lower = hn::Sub(hn::Set(kF, extent.box.lower[k]), m);
+        const auto upper = hn::Add(hn::Set(kF, extent.box.upper[k]), m);
+        const auto a = hn::Mul(hn::Sub(lower, origin), inverse);
+        const auto b = hn::Mul(hn::Sub(upper, origin), inverse);
+        near = hn::Max(near, hn::Min(a, b));
+        far = hn::Min(far, hn::Max(a, b));
+    }
+    uint8_t bytes[8] = {};
+    hn::StoreMaskBits(kF, hn::Le(near, far), bytes);
+    return bytes[0];
+}
+
+// Of `left` rays in lanes.
+constexpr uint32_t bits_of(uint32_t left) {
+    return left < kWidth ? (1u << left) - 1 : ~0u;
+}
+
 HWY_ATTR uint32_t enter(const accel::instances::Extent& extent, const GateStream& rays,
                         const RayNumber* from, uint32_t count, RayNumber* to) {
-    const auto margin = hn::Set(kF, extent.margin), slope = hn::Set(kF, extent.slope);
     uint32_t entered = 0;
     for (uint32_t i = 0; i < count; i += kWidth) {
         const auto number = hn::PromoteTo(kI, hn::LoadU(kN, from + i));
-        const auto of = [&](const float* values)
-                            HWY_ATTR { return hn::GatherIndex(kF, values, number); };
-        const auto m = hn::Add(margin, hn::Mul(slope, of(rays.distance)));
-        auto near = of(rays.t_min), far = of(rays.t_max);
-        for (int k = 0; k < 3; ++k) {
-            const auto origin = of(rays.origin[k]), inverse = of(rays.inverse[k]);
-            const auto lower = hn::Sub(hn::Set(kF, extent.box.lower[k]), m);
-            const auto upper = hn::Add(hn::Set(kF, extent.box.upper[k]), m);
-            const auto a = hn::Mul(hn::Sub(lower, origin), inverse);
-            const auto b = hn::Mul(hn::Sub(upper, origin), inverse);
-            near = hn::Max(near, hn::Min(a, b));
-            far = hn::Min(far, hn::Max(a, b));
-        }
-        uint8_t bytes[8] = {};
-        hn::StoreMaskBits(kF, hn::Le(near, far), bytes);
-        const uint32_t lanes = count - i < kWidth ? (1u << (count - i)) - 1 : ~0u;
+        const auto of = [&](const float* values) HWY_ATTR __attribute__((always_inline)) {
+            return hn::GatherIndex(kF, values, number);
+        };
+        const uint32_t met = meet(extent, rays, of) & bits_of(count - i);
         RayNumber numbers[kWidth];
         hn::StoreU(hn::LoadU(kN, from + i), kN, numbers);
-        for (uint32_t bits = bytes[0] & lanes; bits; bits &= bits - 1)
+        for (uint32_t bits = met; bits; bits &= bits - 1)
             to[entered++] = numbers[uint32_t(__builtin_ctz(bits))];
     }
     return entered;
 }
 
-constexpr RayLists kRayLists = {enter};
+HWY_ATTR uint32_t enter_all(const accel::instances::Extent& extent, const GateStream& rays,
+                            uint32_t count, RayNumber* to) {
+    uint32_t entered = 0;
+    for (uint32_t i = 0; i < count; i += kWidth) {
+        const auto of = [&](const float* values) HWY_ATTR __attribute__((always_inline)) {
+            return hn::Load(kF, values + i);
+        };
+        for (uint32_t bits = meet(extent, rays, of) & bits_of(count - i); bits; bits &= bits - 1)
+            to[entered++] = RayNumber(i + uint32_t(__builtin_ctz(bits)));
+    }
+    return entered;
+}
+
+HWY_ATTR void look_at(const RayStream& rays, GateStream& gate) {
+    const auto zero = hn::Zero(kF), one = hn::Set(kF, 1.0f);
+    for (uint32_t i = 0; i < rays.count; i += kWidth) {
+        auto largest = zero, distance = zero;
+        for (int k = 0; k < 3; ++k) {
+            largest = hn::Max(largest, hn::Abs(hn::LoadU(kF, rays.direction[k] + i)));
+            distance = hn::Max(distance, hn::Abs(hn::LoadU(kF, rays.origin[k] + i)));
+        }
+        const auto usual = hn::And(
+            hn::And(hn::Ge(largest, hn::Set(kF, 0x1p-32f)), hn::Le(largest, hn::Set(kF, 0x1p32f))),
+            hn::Le(distance, hn::Set(kF, 0x1p60f)));
+        const auto smallest = hn::Mul(largest, hn::Set(kF, 0x1p-26f));
+        for (int k = 0; k < 3; ++k) {
+            const auto d = hn::LoadU(kF, rays.direction[k] + i);
+            const auto far_from_zero =
+                hn::IfThenElse(hn::Lt(hn::Abs(d), smallest), hn::CopySign(smallest, d), d);
+            hn::Store(hn::IfThenElseZero(usual, hn::Div(one, far_from_zero)), kF,
+                      gate.inverse[k] + i);
+            hn::Store(hn::IfThenElseZero(usual, hn::LoadU(kF, rays.origin[k] + i)), kF,
+                      gate.origin[k] + i);
+        }
+        hn::Store(hn::IfThenElseZero(usual, distance), kF, gate.distance + i);
+        const auto never = hn::Set(kF, -std::numeric_limits<float>::infinity());
+        hn::Store(hn::IfThenElse(usual, hn::LoadU(kF, rays.t_min + i), never), kF, gate.t_min + i);
+    }
+}
+
+constexpr RayLists kRayLists = {look_at, enter_all, enter};
 
 } // namespace peregrine::trace::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

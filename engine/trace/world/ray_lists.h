@@ -25,6 +25,11 @@ using RayNumber = uint16_t;
 
 // Compiled for each instruction set.
 struct RayLists {
+    // All but t_max.
+    void (*look_at)(const RayStream& rays, GateStream& gate);
+    // Rays 0 to count - 1 that may meet the extent, into `to`; returns how many.
+    uint32_t (*enter_all)(const accel::instances::Extent& extent, const GateStream& rays,
+                          uint32_t count, RayNumber* to);
     // Those of `from` that may meet the extent; returns how many. `to` may be `from`.
     uint32_t (*enter)(const accel::instances::Extent& extent, const GateStream& rays,
                       const RayNumber* from, uint32_t count, RayNumber* to);

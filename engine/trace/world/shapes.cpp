@@ -10,8 +10,15 @@ using accel::instances::Node;
 
 constexpr Place kWhereItIs;
 
+template <class Query>
+const ShapeKernels& kernels(const Part& part, const Query& query) {
+    const bool counts = query.watch && query.watch->counters;
+    return counts ? *part.kernels->plain_shapes : *part.kernels->shapes;
+}
+
 Place place_of(const Instance& instance) {
-    return {instance.to_world, instance.mirrored, instance.mesh};
+    return instance.has_own_space ? Place{instance.to_world, instance.mirrored, instance.mesh}
+                                  : kWhereItIs;
 }
 
 // At least the length of the image of any unit vector: |W| = sqrt(|W^T W|), the latter in the
@@ -32,6 +39,7 @@ double longest_image(const math::Affine& map) {
 // the mesh and c = |M| |W|; twice each, so that the corner of a cube of slack is within a ball of
 // it.
 Volume to_local(const Instance& instance, const Volume& volume) {
+    if (!instance.has_own_space) return volume;
     const math::Affine& map = instance.to_local;
     Volume local;
     local.origin = map.point(volume.origin);
@@ -116,6 +124,8 @@ bool visit_instances(const World& world, const Volume& volume, const Filter& fil
 // The same query for what is seen within an instance.
 template <class Query>
 Query within(const Query& query, const Instance& instance) {
+    if (query.watch && query.watch->counters && instance.has_own_space)
+        ++query.watch->counters->instances;
     Query inside = query;
     inside.filter = filter_within(query.filter, instance);
     return inside;
@@ -159,15 +169,14 @@ NearestHit limit_of(const NearestHit& best) {
 
 FirstHit sweep(const World& world, const Volume& volume, const SweepQuery& query) {
     FirstHit best;
-    world.fixed.kernels->shapes->sweep(world.fixed.target, kWhereItIs, volume, query, best);
-    if (!world.moves) return best;
+    kernels(world.fixed, query).sweep(world.fixed.target, kWhereItIs, volume, query, best);
+    if (!world.nodes) return best;
     const auto look = [&](const Part& part, const Place& place, const Volume& there,
                           const SweepQuery& asked) {
         FirstHit hit = limit_of(best);
-        part.kernels->shapes->sweep(part.target, place, there, asked, hit);
+        kernels(part, query).sweep(part.target, place, there, asked, hit);
         take_first(world, hit, part.first, best);
     };
-    if (!world.deforming.empty()) look(world.deforming, kWhereItIs, volume, query);
     float t_max = best.limit(query.t_max);
     visit_instances(world, volume, query.filter, t_max,
                     [&](const Instance& instance, const Volume& local) {
@@ -179,48 +188,42 @@ FirstHit sweep(const World& world, const Volume& volume, const SweepQuery& query
 }
 
 bool overlaps(const World& world, const Volume& volume, const OverlapQuery& query) {
-    if (world.fixed.kernels->shapes->overlaps(world.fixed.target, kWhereItIs, volume, query))
+    if (kernels(world.fixed, query).overlaps(world.fixed.target, kWhereItIs, volume, query))
         return true;
-    if (!world.moves) return false;
-    if (const Part& part = world.deforming;
-        !part.empty() && part.kernels->shapes->overlaps(part.target, kWhereItIs, volume, query))
-        return true;
+    if (!world.nodes) return false;
     const float at_rest = 0;
-    return visit_instances(world, volume, query.filter, at_rest,
-                           [&](const Instance& instance, const Volume& local) {
-                               const Part& part = instance.part;
-                               return part.kernels->shapes->overlaps(
-                                   part.target, place_of(instance), local, within(query, instance));
-                           });
+    return visit_instances(
+        world, volume, query.filter, at_rest, [&](const Instance& instance, const Volume& local) {
+            const Part& part = instance.part;
+            return kernels(part, query)
+                .overlaps(part.target, place_of(instance), local, within(query, instance));
+        });
 }
 
 void collect(const World& world, const Volume& volume, const OverlapQuery& query,
              Touched& touched) {
-    world.fixed.kernels->shapes->collect(world.fixed.target, kWhereItIs, volume, query, touched);
-    if (!world.moves) return;
-    if (const Part& part = world.deforming; !part.empty())
-        part.kernels->shapes->collect(part.target, kWhereItIs, volume, query, touched);
+    kernels(world.fixed, query).collect(world.fixed.target, kWhereItIs, volume, query, touched);
+    if (!world.nodes) return;
     const float at_rest = 0;
-    visit_instances(world, volume, query.filter, at_rest,
-                    [&](const Instance& instance, const Volume& local) {
-                        const Part& part = instance.part;
-                        part.kernels->shapes->collect(part.target, place_of(instance), local,
-                                                      within(query, instance), touched);
-                        return false;
-                    });
+    visit_instances(
+        world, volume, query.filter, at_rest, [&](const Instance& instance, const Volume& local) {
+            const Part& part = instance.part;
+            kernels(part, query)
+                .collect(part.target, place_of(instance), local, within(query, instance), touched);
+            return false;
+        });
 }
 
 NearestHit nearest(const World& world, const Volume& volume, const NearestQuery& query) {
     NearestHit best;
-    world.fixed.kernels->shapes->nearest(world.fixed.target, kWhereItIs, volume, query, best);
-    if (!world.moves) return best;
+    kernels(world.fixed, query).nearest(world.fixed.target, kWhereItIs, volume, query, best);
+    if (!world.nodes) return best;
     const auto look = [&](const Part& part, const Place& place, const Volume& there,
                           const NearestQuery& asked) {
         NearestHit hit = limit_of(best);
-        part.kernels->shapes->nearest(part.target, place, there, asked, hit);
+        kernels(part, query).nearest(part.target, place, there, asked, hit);
         take_first(world, hit, part.first, best);
     };
-    if (!world.deforming.empty()) look(world.deforming, kWhereItIs, volume, query);
     const float at_rest = 0;
     visit_instances(world, with_radius(volume, double(best.limit(query.radius))), query.filter,
                     at_rest, [&](const Instance& instance, const Volume& local) {

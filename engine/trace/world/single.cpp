@@ -1,81 +1,12 @@
 #include "trace/world/single.h"
 
-#include "trace/slabs.h"
 #include "trace/world/merge.h"
+#include "trace/world/visit_instances.h"
 
 #include <algorithm>
 
 namespace peregrine::trace {
 namespace {
-
-using accel::instances::Extent;
-using accel::instances::Node;
-
-// A ray as the nodes over instances see it; in double, where no ray is extreme.
-class Gate {
-public:
-    explicit Gate(const math::Ray& ray) : t_min_(double(ray.t_min)) {
-        const double smallest = 0x1p-26 * double(largest_component(ray.direction));
-        for (int k = 0; k < 3; ++k) {
-            const double d = double(ray.direction[k]);
-            origin_[k] = double(ray.origin[k]);
-            inverse_[k] = 1 / (std::abs(d) < smallest ? std::copysign(smallest, d) : d);
-        }
-        distance_ = double(largest_component(ray.origin));
-    }
-
-    // Where the ray may enter; beyond `t_max`: nowhere.
-    double enter(const Extent& extent, double t_max) const {
-        const double margin = double(extent.margin) + double(extent.slope) * distance_;
-        double t_near = t_min_, t_far = t_max;
-        for (int k = 0; k < 3; ++k) {
-            const double a = (double(extent.box.lower[k]) - margin - origin_[k]) * inverse_[k];
-            const double b = (double(extent.box.upper[k]) + margin - origin_[k]) * inverse_[k];
-            t_near = std::max(t_near, std::min(a, b));
-            t_far = std::min(t_far, std::max(a, b));
-        }
-        return t_near <= t_far ? t_near : std::numeric_limits<double>::infinity();
-    }
-
-private:
-    double origin_[3];
-    double inverse_[3];
-    double distance_;
-    double t_min_;
-};
-
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
-
-// Calls visit(instance) for those that the ray may meet before `t_max`, which may shrink meanwhile,
-// roughly from front to back, until visit returns true.
-template <class Visit>
-bool visit_instances(const World& world, const math::Ray& ray, const float& t_max, Visit&& visit) {
-    const Gate gate(ray);
-    struct Entry {
-        uint32_t node;
-        double t;
-    };
-    Entry stack[accel::instances::kMaxDepth];
-    uint32_t height = 0;
-    Entry at = {0, gate.enter(world.nodes[0].extent, double(t_max))};
-    for (;;) {
-        while (at.t <= double(t_max) && at.t < kNowhere) {
-            const Node& node = world.nodes[at.node];
-            if (node.right == 0) {
-                if (visit(world.instances[node.instance])) return true;
-                break;
-            }
-            const uint32_t left = at.node + 1;
-            Entry near = {left, gate.enter(world.nodes[left].extent, double(t_max))};
-            Entry far = {node.right, gate.enter(world.nodes[node.right].extent, double(t_max))};
-            if (far.t < near.t) std::swap(near, far);
-            if (far.t < kNowhere) stack[height++] = far;
-            at = near;
-        }
-        if (height == 0) return false;
-        at = stack[--height];
-    }
-}
 
 void take_first(const World& world, Hit hit, uint32_t first, Hit& best) {
     best.steps += hit.steps;
@@ -89,17 +20,16 @@ void take_first(const World& world, Hit hit, uint32_t first, Hit& best) {
 } // namespace
 
 Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& filter) {
+    // Most rays miss all that moves: they pay for this alone.
+    const Gate gate(ray);
+    const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
+    if (entry == kNowhere) return world.fixed.kernels->closest(world.fixed.target, ray, filter);
     Hit best = world.fixed.kernels->closest(world.fixed.target, ray, filter);
     math::Ray left = ray; // what is left of it in front of the best hit
     left.t_max = std::min(ray.t_max, best.t);
-    if (const Part& part = world.deforming; !part.empty()) {
-        take_first(world, part.kernels->closest(part.target, left, filter), part.first, best);
-        left.t_max = std::min(ray.t_max, best.t);
-    }
-    if (!world.nodes) return best;
-    visit_instances(world, ray, left.t_max, [&](const Instance& instance) {
+    visit_instances(world, gate, entry, left.t_max, [&](const Instance& instance) {
         math::Ray local;
-        if (!sees(filter, instance) || !to_local(instance.to_local, left, local)) return false;
+        if (!sees(filter, instance) || !within(instance, left, local)) return false;
         const Part& part = instance.part;
         take_first(world,
                    part.kernels->closest(part.target, local, filter_within(filter, instance)),
@@ -112,13 +42,11 @@ Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& fil
 
 bool occluded_by_parts(const World& world, const math::Ray& ray, const Filter& filter) {
     if (world.fixed.kernels->occluded(world.fixed.target, ray, filter)) return true;
-    if (const Part& part = world.deforming;
-        !part.empty() && part.kernels->occluded(part.target, ray, filter))
-        return true;
-    if (!world.nodes) return false;
-    return visit_instances(world, ray, ray.t_max, [&](const Instance& instance) {
+    const Gate gate(ray);
+    const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
+    return visit_instances(world, gate, entry, ray.t_max, [&](const Instance& instance) {
         math::Ray local;
-        return sees(filter, instance) && to_local(instance.to_local, ray, local)
+        return sees(filter, instance) && within(instance, ray, local)
                && instance.part.kernels->occluded(instance.part.target, local,
                                                   filter_within(filter, instance));
     });

@@ -11,12 +11,12 @@ bool occluded_by_parts(const World& world, const math::Ray& ray, const Filter& f
 
 // The kernel's hit goes to the caller as it is: a copy on the way would wait for its stores.
 inline Hit closest(const World& world, const math::Ray& ray, const Filter& filter) {
-    if (world.moves) return closest_of_parts(world, ray, filter);
+    if (world.nodes) return closest_of_parts(world, ray, filter);
     return world.fixed.kernels->closest(world.fixed.target, ray, filter);
 }
 
 inline bool occluded(const World& world, const math::Ray& ray, const Filter& filter) {
-    if (world.moves) return occluded_by_parts(world, ray, filter);
+    if (world.nodes) return occluded_by_parts(world, ray, filter);
     return world.fixed.kernels->occluded(world.fixed.target, ray, filter);
 }
 

@@ -18,25 +18,6 @@ static_assert(kMaxStream + 16 <= kRoom);
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-void look_at(const RayStream& rays, uint32_t i, GateStream& gate) {
-    const math::Vec3 direction(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
-    const float largest = largest_component(direction);
-    const float smallest = 0x1p-26f * largest;
-    float distance = 0;
-    for (int k = 0; k < 3; ++k) {
-        const float d = direction[k];
-        gate.origin[k][i] = rays.origin[k][i];
-        gate.inverse[k][i] = 1 / (std::fabs(d) < smallest ? std::copysign(smallest, d) : d);
-        distance = std::max(distance, std::fabs(rays.origin[k][i]));
-    }
-    gate.distance[i] = distance;
-    gate.t_min[i] = rays.t_min[i];
-    if (largest >= 0x1p-32f && largest <= 0x1p32f && distance <= 0x1p60f) return;
-    for (int k = 0; k < 3; ++k) gate.origin[k][i] = gate.inverse[k][i] = 0;
-    gate.distance[i] = 0;
-    gate.t_min[i] = -kInfinity;
-}
-
 // The way of a stream through the moving parts; Kind says what is asked of each.
 template <class Kind>
 class Walk {
@@ -44,41 +25,18 @@ public:
     Walk(const World& world, const RayStream& rays, const Filter& filter, Kind& kind)
         : world_(world), rays_(rays), filter_(filter), kind_(kind),
           lists_(ray_lists(world.fixed.kernels->isa)), sub_(rays.coherence) {
-        for (uint32_t i = 0; i < rays.count; ++i) {
-            look_at(rays, i, gate_);
-            gate_.t_max[i] = kind.left(i);
-        }
+        lists_.look_at(rays, gate_);
+        for (uint32_t i = 0; i < rays.count; ++i) gate_.t_max[i] = kind.left(i);
     }
 
     void run() {
-        if (!world_.deforming.empty()) visit_deforming();
-        if (!world_.nodes) return;
-        RayNumber* const all = list(0);
-        const uint32_t count = enter_all(world_.nodes[0].extent, all);
+        const uint32_t count =
+            lists_.enter_all(world_.nodes[0].extent, gate_, rays_.count, list(0));
         if (count != 0) visit(0, 0, count);
     }
 
 private:
     RayNumber* list(uint32_t level) { return room_[level]; }
-
-    uint32_t enter_all(const Extent& extent, RayNumber* to) {
-        for (uint32_t i = 0; i < rays_.count; ++i) to[i] = RayNumber(i);
-        std::fill_n(to + rays_.count, 16, RayNumber(0));
-        return lists_.enter(extent, gate_, to, rays_.count, to);
-    }
-
-    // Nothing is transformed: the slab test of slabs.h needs the triangles' own bounds alone.
-    void visit_deforming() {
-        Extent extent;
-        extent.box = world_.deforming.target.bounds;
-        const math::Vec3 most = glm::max(glm::abs(extent.box.lower), glm::abs(extent.box.upper));
-        extent.margin = 0x1p-19f * largest_component(most) + 0x1p-140f;
-        extent.slope = 0x1p-19f;
-        const uint32_t count = enter_all(extent, list(0));
-        sub_.clear();
-        for (uint32_t i = 0; i < count; ++i) add(list(0)[i], nullptr);
-        if (sub_.count() != 0) kind_.ask(world_, world_.deforming, filter_, sub_, gate_);
-    }
 
     void visit(uint32_t place, uint32_t level, uint32_t count) {
         const Node& node = world_.nodes[place];
@@ -107,16 +65,15 @@ private:
     void visit_instance(const Instance& instance, uint32_t level, uint32_t count) {
         if (!sees(filter_, instance)) return;
         sub_.clear();
-        for (uint32_t i = 0; i < count; ++i) add(list(level)[i], &instance.to_local);
+        for (uint32_t i = 0; i < count; ++i) add(list(level)[i], instance);
         if (sub_.count() != 0)
             kind_.ask(world_, instance.part, filter_within(filter_, instance), sub_, gate_);
     }
 
-    void add(uint32_t number, const math::Affine* transform) {
-        math::Ray ray = ray_at(rays_, number);
+    void add(uint32_t number, const Instance& instance) {
+        math::Ray ray = ray_at(rays_, number), local;
         ray.t_max = gate_.t_max[number];
-        if (transform && !to_local(*transform, math::Ray(ray), ray)) return;
-        sub_.add(ray, number);
+        if (within(instance, ray, local)) sub_.add(local, number);
     }
 
     const World& world_;

@@ -16,13 +16,13 @@ void occluded_by_moving(const World& world, const RayStream& rays, const Filter&
 inline void closest(const World& world, const RayStream& rays, const Filter& filter,
                     const HitStream& hits) {
     world.fixed.kernels->closest_stream(world.fixed.target, rays, filter, hits);
-    if (world.moves) closest_of_moving(world, rays, filter, hits);
+    if (world.nodes) closest_of_moving(world, rays, filter, hits);
 }
 
 inline void occluded(const World& world, const RayStream& rays, const Filter& filter,
                      uint8_t* occluded) {
     world.fixed.kernels->occluded_stream(world.fixed.target, rays, filter, occluded);
-    if (world.moves) occluded_by_moving(world, rays, filter, occluded);
+    if (world.nodes) occluded_by_moving(world, rays, filter, occluded);
 }
 
 } // namespace peregrine::trace

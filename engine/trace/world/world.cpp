@@ -21,10 +21,6 @@ float round_up(double value) {
 } // namespace
 
 geometry::TriangleInfo moving_info(const World& world, uint32_t triangle) {
-    const uint32_t first_of_instances =
-        world.instance_count ? world.instances[0].part.first : geometry::kNoTriangle;
-    if (triangle < first_of_instances)
-        return world.deforming.target.infos[triangle - world.deforming.first];
     const Instance* const end = world.instances + world.instance_count;
     const Instance& instance =
         std::upper_bound(world.instances, end, triangle, [](uint32_t number, const Instance& i) {
@@ -44,6 +40,15 @@ accel::instances::Extent extent_of(const math::Affine& to_world, const math::Aff
     const double reach = largest_coordinate(to_local.offset) + largest_coordinate(local);
     extent.margin = round_up(error * reach + 0x1p-20 * largest_coordinate(extent.box) + 0x1p-140);
     extent.slope = round_up(error * shrinks + 0x1p-20);
+    return extent;
+}
+
+accel::instances::Extent extent_of(const math::Box& bounds) {
+    const math::Vec3 most = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
+    accel::instances::Extent extent;
+    extent.box = bounds;
+    extent.margin = 0x1p-19f * std::max({most.x, most.y, most.z}) + 0x1p-140f;
+    extent.slope = 0x1p-19f;
     return extent;
 }
 

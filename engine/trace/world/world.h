@@ -14,38 +14,36 @@ struct Part {
     Target target{};
     const Kernels* kernels = nullptr;
     uint32_t first = 0;
-
-    bool empty() const { return target.bounds.empty(); }
 };
 
-// A mesh in its own space, somewhere in the world. What a ray hits there is, by definition, what
-// the canonical test says of the ray in that space (to_local).
+// A mesh that moves. One with a space of its own stands somewhere in the world: what a ray hits
+// there is, by definition, what the canonical test says of the ray in that space (to_local).
 struct Instance {
     math::Affine to_local;
     Part part;
     uint32_t mesh; // slot; takes the place of that in the target's infos
     uint32_t layer_mask;
     AlphaTest alpha; // of this mesh, for filters that have one
-    const math::Affine* to_world;
-    bool mirrored; // by to_world
+    bool has_own_space;
+    const math::Affine* to_world = nullptr; // null without a space of its own
+    bool mirrored = false;                  // by to_world
 };
 
 // Everything that a ray can hit.
 struct World {
     Part fixed;
-    Part deforming;
     const accel::instances::Node* nodes = nullptr; // over the instances; null: none
     const Instance* instances = nullptr;           // in ascending order of Part::first
     uint32_t instance_count = 0;
+    uint32_t first_moving = 0; // number of the first triangle that is not fixed
     math::Box bounds;
-    bool moves = false; // whether it has more than the fixed part
 };
 
 // Whose triangle it is; not for kNoTriangle.
 geometry::TriangleInfo moving_info(const World& world, uint32_t triangle);
 
 inline geometry::TriangleInfo info(const World& world, uint32_t triangle) {
-    if (triangle < world.deforming.first) [[likely]]
+    if (triangle < world.first_moving) [[likely]]
         return world.fixed.target.infos[triangle];
     return moving_info(world, triangle);
 }
@@ -74,5 +72,9 @@ inline bool to_local(const math::Affine& to_local, const math::Ray& ray, math::R
 // double. A slab test in float errs by less than 2^-20 (|o| + C), C the box's largest |coordinate|.
 accel::instances::Extent extent_of(const math::Affine& to_world, const math::Affine& to_local,
                                    const math::Box& local);
+
+// ... of one without a space of its own: nothing is transformed, and the slab test of slabs.h asks
+// for the triangles' bounds alone.
+accel::instances::Extent extent_of(const math::Box& bounds);
 
 } // namespace peregrine::trace

@@ -1,0 +1,113 @@
+#include "query/search.h"
+
+#include "query/check_rays.h"
+#include "query/chosen.h"
+#include "query/spread.h"
+#include "query/total_counters.h"
+#include "query/valid_ray.h"
+#include "trace/world/search.h"
+
+#include <limits>
+
+namespace peregrine::query {
+namespace {
+
+constexpr Hit kMiss = {kInfinity, 0, 0, geometry::kNoTriangle, {}, 0, 0};
+
+Hit to_host(const scene::Snapshot& snapshot, const trace::WorldHit& hit) {
+    const base::Handle mesh = {hit.mesh, snapshot.generations[hit.mesh]};
+    return {hit.t, hit.u, hit.v, hit.primitive, mesh, 0, hit.back_face};
+}
+
+// The host's word in the world's terms.
+class HostJudge {
+public:
+    HostJudge(const scene::Snapshot& snapshot, const Accept& accept)
+        : snapshot_(snapshot), accept_(accept) {
+        if (accept) judge_ = {accepts, this};
+    }
+    HostJudge(const HostJudge&) = delete;
+    HostJudge& operator=(const HostJudge&) = delete;
+
+    void begin_ray(uint64_t ray) { ray_ = ray; }
+    const trace::Judge& judge() const { return judge_; }
+
+private:
+    static bool accepts(void* context, const trace::WorldHit& hit) {
+        const auto& self = *static_cast<const HostJudge*>(context);
+        return self.accept_.ask(self.accept_.user, self.ray_, to_host(self.snapshot_, hit));
+    }
+
+    const scene::Snapshot& snapshot_;
+    const Accept& accept_;
+    trace::Judge judge_;
+    uint64_t ray_ = 0;
+};
+
+// Calls answer(search, i, ray) for every ray.
+template <class Answer>
+void search_each(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+                 Answer&& answer) {
+    check_rays(rays, ray_loaders(snapshot.isa()), request.scheduler);
+    const Accept& accept = request.selection.accept;
+    const Chosen chosen(snapshot, request.selection);
+    TotalCounters total;
+    spread(accept ? nullptr : request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
+        HostJudge host(snapshot, accept);
+        trace::Search search(snapshot.world, chosen.filter(), host.judge());
+        for (uint64_t i = first; i < end; ++i) {
+            host.begin_ray(i);
+            answer(search, i, rays.load(i));
+        }
+        total.add(search.counters());
+    });
+    if (request.counters) *request.counters = total.get();
+}
+
+} // namespace
+
+void search_closest(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+                    const Hits& hits, const Surfaces& surfaces) {
+    search_each(snapshot, rays, request,
+                [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
+                    trace::WorldHit found;
+                    const Hit hit = search.closest(ray, found) ? to_host(snapshot, found) : kMiss;
+                    hits.store(i, hit);
+                    if (surfaces) surfaces.store(i, surface_at(snapshot, hit, surfaces.fields));
+                });
+}
+
+void search_any(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+                const Strided<uint8_t>& occluded) {
+    search_each(snapshot, rays, request,
+                [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
+                    occluded.store(i, search.occluded(ray));
+                });
+}
+
+void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+              const HitLists& lists) {
+    search_each(
+        snapshot, rays, request, [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
+            const auto store = [&](uint32_t k, const trace::WorldHit& found) {
+                const uint64_t place = i * lists.most + k;
+                const Hit hit = to_host(snapshot, found);
+                std::memcpy(lists.hits + place * lists.stride, &hit, sizeof hit);
+                if (lists.surfaces)
+                    lists.surfaces.store(place, surface_at(snapshot, hit, lists.surfaces.fields));
+            };
+            lists.counts.store(i, search.crossings(ray, lists.most, store));
+        });
+}
+
+void count_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+                const Strided<uint32_t>& counts) {
+    constexpr uint32_t kAll = std::numeric_limits<uint32_t>::max();
+    search_each(snapshot, rays, request,
+                [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
+                    const auto ignore = [](uint32_t, const trace::WorldHit&) {};
+                    counts.store(i, search.crossings(ray, kAll, ignore));
+                });
+}
+
+} // namespace peregrine::query

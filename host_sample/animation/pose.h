@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+
+#include "rig.h"
+
+namespace host {
+
+// Where the nodes of a rig are at a time: at rest until the first set().
+class Pose {
+public:
+    explicit Pose(const Rig& rig);
+
+    void set(double seconds); // not negative
+
+    const glm::dmat4& world(uint32_t node) const { return world_[node]; }
+    std::span<const double> weights(uint32_t node) const { return weights_[node]; }
+
+private:
+    void apply(const Track& track, double seconds);
+    void place_nodes();
+
+    const Rig& rig_;
+    std::vector<Local> local_;
+    std::vector<glm::dmat4> world_;
+    std::vector<std::vector<double>> weights_;
+};
+
+glm::mat4x3 to_affine(const glm::dmat4& matrix);
+
+// The matrices of a deforming mesh's joints: from the space of its vertices to the world.
+void joint_matrices(const DeformingMesh& mesh, const Pose& pose, std::vector<glm::mat4x3>& out);
+
+} // namespace host

@@ -1,0 +1,229 @@
+// What few queries ask for: all crossings, callbacks, lists of meshes, surfaces, counters, threads.
+#include "bad_input.h"
+
+namespace peregrine::test {
+namespace {
+
+//   a box of side 2 around the origin, its front outside
+const std::vector<float> kCorners = {-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1,
+                                     -1, -1, 1,  1, -1, 1,  1, 1, 1,  -1, 1, 1};
+const std::vector<uint32_t> kFaces = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                                      3, 7, 6, 3, 6, 2, 0, 4, 7, 0, 7, 3, 1, 2, 6, 1, 6, 5};
+
+// Three boxes in a row along x, at 0, 10 and 20.
+class Boxes : public testing::Test {
+protected:
+    Boxes() {
+        rt_scene_desc scene_desc = rt_default_scene_desc();
+        scene_desc.worker_count = 2;
+        EXPECT_OK(rt_create_scene(&scene_desc, &scene));
+        rt_mesh_desc box = rt_default_mesh_desc();
+        box.positions = array_of(kCorners, 8);
+        box.indices = array_of(kFaces, 36);
+        for (int i = 0; i < 3; ++i) {
+            box.user_data = uint64_t(i) + 5;
+            EXPECT_OK(rt_add_rigid_mesh(scene, &box, &boxes[i]));
+            rt_transform transform = rt_default_transform();
+            transform.m[3] = 10 * i;
+            EXPECT_OK(rt_set_mesh_transform(scene, boxes[i], &transform));
+        }
+        EXPECT_OK(rt_commit_scene(scene, nullptr, nullptr));
+        query.rays = &ray;
+        query.ray_count = 1;
+        query.hits = hits;
+        query.hit_counts = &count;
+        query.occluded = &occluded;
+        query.max_hits = 8;
+        query.options = &options;
+    }
+    ~Boxes() override { EXPECT_OK(rt_destroy_scene(scene)); }
+
+    void ask(rt_query_kind kind) {
+        query.kind = kind;
+        ASSERT_OK(rt_trace_query(scene, &query));
+    }
+
+    rt_scene scene{};
+    rt_mesh boxes[3];
+    // Through the edges that the two triangles of a side share.
+    rt_ray ray = {{-5, 0, 0}, 0, {1, 0, 0}, kInfinity};
+    rt_hit hits[8] = {};
+    uint32_t count = 0;
+    uint8_t occluded = 0;
+    rt_query_options options = rt_default_query_options();
+    rt_query_desc query = rt_default_query_desc();
+};
+
+TEST_F(Boxes, AllCrossingsComeOnceAndInOrder) {
+    ask(RT_QUERY_COUNT);
+    EXPECT_EQ(count, 6u);
+    ask(RT_QUERY_ALL);
+    ASSERT_EQ(count, 6u);
+    for (uint32_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(hits[i].t, float(10 * (i / 2) + 4 + 2 * (i % 2)));
+        EXPECT_EQ(hits[i].back_face, i % 2);
+        EXPECT_EQ(hits[i].mesh.index, boxes[i / 2].index);
+    }
+    query.max_hits = 3;
+    ask(RT_QUERY_ALL);
+    EXPECT_EQ(count, 3u);
+    EXPECT_EQ(hits[2].t, 14.0f);
+}
+
+TEST_F(Boxes, ListsOfMeshesAreIgnored) {
+    const rt_mesh ignored[] = {boxes[0], {99, 99}, boxes[1], {}};
+    options.ignore_meshes = ignored;
+    options.ignore_count = 4;
+    ask(RT_QUERY_CLOSEST);
+    EXPECT_EQ(hits[0].t, 24.0f);
+    ask(RT_QUERY_COUNT);
+    EXPECT_EQ(count, 2u);
+    query.ignore_mesh = boxes[2];
+    ask(RT_QUERY_ANY);
+    EXPECT_EQ(occluded, 0);
+}
+
+// Takes back faces of one mesh alone, and remembers for which ray it was asked.
+struct Judge {
+    rt_mesh mesh;
+    uint64_t index = 77;
+    static int32_t accept(void* user, uint64_t index, const rt_hit* hit) {
+        auto* judge = static_cast<Judge*>(user);
+        judge->index = index;
+        return hit->mesh.index == judge->mesh.index && hit->back_face == 1;
+    }
+};
+
+TEST_F(Boxes, TheHostDecidesWhatCounts) {
+    Judge judge{boxes[1]};
+    options.accept = Judge::accept;
+    options.accept_user = &judge;
+    ask(RT_QUERY_CLOSEST);
+    EXPECT_EQ(hits[0].t, 16.0f);
+    EXPECT_EQ(judge.index, 0u);
+    ask(RT_QUERY_COUNT);
+    EXPECT_EQ(count, 1u);
+    judge.mesh = {99, 99};
+    ask(RT_QUERY_ANY);
+    EXPECT_EQ(occluded, 0);
+}
+
+// Shapes: the triangle alone is told.
+struct MeshJudge {
+    rt_mesh mesh;
+    static int32_t accept(void* user, uint64_t, const rt_hit* hit) {
+        EXPECT_EQ(hit->t, 0.0f);
+        return hit->mesh.index == static_cast<MeshJudge*>(user)->mesh.index;
+    }
+};
+
+TEST_F(Boxes, TheHostDecidesAboutShapesToo) {
+    MeshJudge judge{boxes[2]};
+    options.accept = MeshJudge::accept;
+    options.accept_user = &judge;
+    rt_query_stats stats = rt_default_query_stats();
+    options.stats = &stats;
+    const rt_sweep sweep = {{-5, 0, 0}, 0.5f, {0, 0, 0}, 100, {1, 0, 0}, 0};
+    rt_sweep_hit contact;
+    rt_sweep_desc sweeps = rt_default_sweep_desc();
+    sweeps.sweeps = &sweep;
+    sweeps.sweep_count = 1;
+    sweeps.hits = &contact;
+    sweeps.options = &options;
+    ASSERT_OK(rt_sweep_shapes(scene, &sweeps));
+    EXPECT_EQ(contact.mesh.index, boxes[2].index);
+    EXPECT_EQ(contact.t, 23.5f);
+    EXPECT_GT(stats.triangles, 0u);
+    EXPECT_GT(stats.nodes, 0u);
+    EXPECT_EQ(stats.instances, 3u);
+
+    const rt_shape shape = {{10, 0, 0}, 1.5f, {0, 0, 0}, RT_SHAPE_SPHERE, {0, 0, 0, 0}};
+    uint8_t overlapping = 7;
+    rt_overlap_desc shapes = rt_default_overlap_desc();
+    shapes.shapes = &shape;
+    shapes.shape_count = 1;
+    shapes.overlapping = &overlapping;
+    shapes.options = &options;
+    ASSERT_OK(rt_overlap_shapes(scene, &shapes));
+    EXPECT_EQ(overlapping, 0);
+    judge.mesh = boxes[1];
+    ASSERT_OK(rt_overlap_shapes(scene, &shapes));
+    EXPECT_EQ(overlapping, 1);
+
+    const rt_point point = {{9, 0, 3}, 20};
+    rt_nearest nearest;
+    rt_nearest_desc points = rt_default_nearest_desc();
+    points.points = &point;
+    points.point_count = 1;
+    points.results = &nearest;
+    points.options = &options;
+    judge.mesh = boxes[0];
+    ASSERT_OK(rt_find_nearest(scene, &points));
+    EXPECT_EQ(nearest.mesh.index, boxes[0].index);
+    EXPECT_GT(stats.triangles, 0u);
+}
+
+TEST_F(Boxes, SurfacesComeWithTheHits) {
+    rt_surface surfaces[8];
+    std::memset(surfaces, 0x5a, sizeof surfaces);
+    query.surfaces = surfaces;
+    query.surface_fields = RT_SURFACE_POSITION | RT_SURFACE_USER_DATA;
+    ask(RT_QUERY_CLOSEST);
+    EXPECT_EQ(surfaces[0].position[0], -1.0);
+    EXPECT_EQ(surfaces[0].mesh_user_data, 5u);
+    EXPECT_EQ(surfaces[0].geometric_normal[0], 0.0f) << "not asked for";
+    query.surface_fields = RT_SURFACE_ALL;
+    ask(RT_QUERY_ALL);
+    EXPECT_EQ(surfaces[3].geometric_normal[0], 1.0f);
+    EXPECT_EQ(surfaces[5].mesh_user_data, 7u);
+}
+
+TEST_F(Boxes, CountersTellTheWork) {
+    rt_query_stats stats = rt_default_query_stats();
+    options.stats = &stats;
+    ask(RT_QUERY_COUNT);
+    EXPECT_EQ(stats.instances, 3u);
+    EXPECT_GE(stats.triangles, 6u);
+    EXPECT_GT(stats.nodes, 0u);
+}
+
+TEST_F(Boxes, ThreadsGiveTheSameAnswers) {
+    constexpr size_t kRays = 20000;
+    std::vector<rt_ray> rays(kRays, ray);
+    for (size_t i = 0; i < kRays; ++i) {
+        rays[i].origin[1] = 1.5f - 0.00015f * float(i);
+        rays[i].direction[2] = 0.00001f * float(i);
+    }
+    std::vector<rt_hit> alone(kRays), together(kRays);
+    query.rays = rays.data();
+    query.ray_count = kRays;
+    query.options = nullptr;
+    query.hits = alone.data();
+    ask(RT_QUERY_CLOSEST);
+    query.hits = together.data();
+    query.flags = RT_QUERY_USE_THREADS;
+    ask(RT_QUERY_CLOSEST);
+    EXPECT_EQ(std::memcmp(alone.data(), together.data(), kRays * sizeof(rt_hit)), 0);
+
+    std::vector<rt_sweep> sweeps;
+    for (const rt_ray& r : rays)
+        sweeps.push_back({{r.origin[0], r.origin[1], r.origin[2]},
+                          0.3f,
+                          {0, 0.2f, 0},
+                          50,
+                          {r.direction[0], r.direction[1], r.direction[2]},
+                          0});
+    std::vector<rt_sweep_hit> one(kRays), many(kRays);
+    rt_sweep_desc desc = rt_default_sweep_desc();
+    desc.sweeps = sweeps.data();
+    desc.sweep_count = kRays;
+    desc.hits = one.data();
+    ASSERT_OK(rt_sweep_shapes(scene, &desc));
+    desc.hits = many.data();
+    desc.flags = RT_QUERY_USE_THREADS;
+    ASSERT_OK(rt_sweep_shapes(scene, &desc));
+    EXPECT_EQ(std::memcmp(one.data(), many.data(), kRays * sizeof(rt_sweep_hit)), 0);
+}
+
+} // namespace
+} // namespace peregrine::test
