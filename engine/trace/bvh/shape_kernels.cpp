@@ -99,9 +99,10 @@ private:
 };
 
 // Whether what float is sure of is an answer: not if triangles are asked for more than their
-// geometry, nor if the shape is larger here than in the world.
-inline bool is_plain(const Filter& filter, const Place& place) {
-    return filter.trivial() && !place.to_world;
+// geometry, by the filter or the host, nor if the shape is larger here than in the world.
+template <class Query>
+bool is_plain(const Query& query, const Place& place) {
+    return query.filter.trivial() && !(query.watch && query.watch->accepts) && !place.to_world;
 }
 
 inline Volume thinned(const Volume& volume, double by) {
@@ -119,7 +120,7 @@ HWY_ATTR void sweep_shape(const Target& target, const Place& place, const Volume
         return kPlainShapesOfBlocks.sweep(target, place, volume, query, best);
     MovingGate gate(volume, reach);
     SweepFilter filter(volume);
-    const uint32_t sure = is_plain(query.filter, place) ? 15 : 0;
+    const uint32_t sure = is_plain(query, place) ? 15 : 0;
     Candidates candidates;
     Mailbox mailbox;
     float t_max = best.limit(query.t_max);
@@ -243,7 +244,7 @@ HWY_INLINE HWY_ATTR bool visit_at_rest(const Target& target, const Place& place,
     if (!fits_filters(volume, reach)) [[unlikely]]
         return false;
     if (query.shape.kind == Shape::sphere)
-        visit_ball(target, volume, reach, is_plain(query.filter, place), visit);
+        visit_ball(target, volume, reach, is_plain(query, place), visit);
     else
         visit_box(target, volume, reach, visit);
     return true;
@@ -287,7 +288,7 @@ HWY_ATTR void nearest_triangle(const Target& target, const Place& place, const V
         return kPlainShapesOfBlocks.nearest(target, place, volume, query, best);
     const Ball ball(center, reach);
     const BallGate gate(center);
-    const bool sure = is_plain(query.filter, place);
+    const bool sure = is_plain(query, place);
     const auto outside = [&](float distance) {
         const double radius = double(distance) * volume.stretch + volume.slack;
         return ball.outside(float(std::min(radius, 4 * reach)) * (1 + 0x1p-20f));
