@@ -56,6 +56,14 @@ struct Face {
         solid = nn > kSine * kSine * (quad ? aa * bb : longest * longest);
     }
 
+    // The same one elsewhere.
+    Face moved(const Vec3d& by, double core_) const {
+        Face face = *this;
+        face.corner += by;
+        face.core = core_;
+        return face;
+    }
+
     // The part of each side, times nn, that leads to the foot of p.
     struct Place {
         double x, y;
@@ -105,6 +113,14 @@ struct Edge {
 
     Edge(const Vec3d& start_, const Vec3d& along_, double core_ = 0, double step_ = 0)
         : start(start_), along(along_), ee(glm::dot(along_, along_)), core(core_), step(step_) {}
+
+    // A parallel one.
+    Edge moved(const Vec3d& by, double core_) const {
+        Edge edge = *this;
+        edge.start += by;
+        edge.core = core_;
+        return edge;
+    }
 };
 
 // The nearest point to the origin so far.
@@ -147,6 +163,15 @@ struct Motion {
           rr(radius_ * radius_) {}
 };
 
+// The motion seen along an edge; the same for all parallel ones of a length.
+struct Across {
+    Vec3d across;
+    double cc;
+
+    Across(const Motion& motion, const Vec3d& along)
+        : across(glm::cross(motion.direction, along)), cc(glm::dot(across, across)) {}
+};
+
 // The first contact so far.
 struct FirstContact {
     double t = std::numeric_limits<double>::infinity();
@@ -175,25 +200,38 @@ struct FirstContact {
                  face.core + face.step * (face.place(p).y / face.nn)};
     }
 
+    // With the vertices at its ends: a cylinder that is entered beyond them is none.
     void meet(const Motion& motion, const Edge& edge) {
-        const Vec3d across = glm::cross(motion.direction, edge.along);
-        const double cc = glm::dot(across, across);
-        if (!(cc > kSine * kSine * (motion.dd * edge.ee))) return;
+        meet(motion, edge, Across(motion, edge.along));
+    }
+    void meet(const Motion& motion, const Edge& edge, const Across& seen) {
+        const auto& [across, cc] = seen;
+        if (!(cc > kSine * kSine * (motion.dd * edge.ee))) {
+            meet(motion, edge.start, edge.core);
+            meet(motion, edge.start + edge.along, edge.core + edge.step);
+            return;
+        }
         const double apart = glm::dot(edge.start, across); // of the two lines, times sqrt(cc)
         if (apart * apart > motion.rr * cc) return;
         const double closest = glm::dot(glm::cross(edge.start, edge.along), across) / cc;
-        if (!(closest > 0)) return;
         const double room = std::max(0.0, motion.rr - apart * apart / cc);
-        const double when = std::max(0.0, closest - std::sqrt(room * (edge.ee / cc)));
+        const double inside = std::sqrt(room * (edge.ee / cc));
+        if (closest + inside < 0) return;
+        const double when = std::max(0.0, closest - inside);
         if (!(when < t)) return;
         const Vec3d p = when * motion.direction;
         const double s = glm::dot(p - edge.start, edge.along) / edge.ee;
-        if (!(s >= 0 && s <= 1)) return;
-        const Vec3d q = edge.start + s * edge.along;
-        *this = {when, q, p - q, edge.core + edge.step * s};
+        if (s < 0) {
+            meet(motion, edge.start, edge.core);
+        } else if (s > 1) {
+            meet(motion, edge.start + edge.along, edge.core + edge.step);
+        } else if (closest > 0) {
+            const Vec3d q = edge.start + s * edge.along;
+            *this = {when, q, p - q, edge.core + edge.step * s};
+        }
     }
 
-    void meet(const Motion& motion, const Vec3d& vertex, double vertex_core = 0) {
+    void meet(const Motion& motion, const Vec3d& vertex, double vertex_core) {
         const double along = glm::dot(vertex, motion.direction);
         if (!(along > 0)) return;
         const Vec3d across = glm::cross(vertex, motion.direction);

@@ -52,10 +52,9 @@ private:
 };
 
 // The prism that the triangle makes when it is moved from -axis to axis.
+// Its faces are the triangle moved by -axis and by axis, and these:
 template <class Visit>
-void for_each_face(const Corners& t, const Vec3d& axis, Visit&& visit) {
-    for (const double core : {-1.0, 1.0})
-        visit(Face(t.a + core * axis, t.b - t.a, t.c - t.a, false, core));
+void for_each_side(const Corners& t, const Vec3d& axis, Visit&& visit) {
     const Vec3d along = 2.0 * axis;
     visit(Face(t.a - axis, t.b - t.a, along, true, -1, 2));
     visit(Face(t.b - axis, t.c - t.b, along, true, -1, 2));
@@ -87,7 +86,8 @@ inline Nearest nearest_to_segment(const Corners& corners, const Face& face, cons
     Nearest nearest;
     double part;
     if (crosses(face, axis, part)) return {0, Vec3d(0), -part};
-    for_each_face(corners, axis, [&](const Face& side) { nearest.look_at(side); });
+    for (const double core : {-1.0, 1.0}) nearest.look_at(face.moved(core * axis, core));
+    for_each_side(corners, axis, [&](const Face& side) { nearest.look_at(side); });
     for_each_edge(corners, axis, [&](const Edge& edge) { nearest.look_at(edge); });
     return nearest;
 }
@@ -106,10 +106,12 @@ inline bool touches(const Cuboid& box, const Corners& corners) {
     for (int i = 0; i < 3; ++i)
         v[i] = {glm::dot(box.axis[0], world[i]), glm::dot(box.axis[1], world[i]),
                 glm::dot(box.axis[2], world[i])};
+    const double size = std::max(std::max(size_of(v[0]), size_of(v[1])), size_of(v[2]));
     const auto is_between = [&](const Vec3d& along) {
         const double p0 = glm::dot(along, v[0]), p1 = glm::dot(along, v[1]),
                      p2 = glm::dot(along, v[2]);
-        const double reach = glm::dot(glm::abs(along), box.half);
+        // What rounding may part, touches.
+        const double reach = glm::dot(glm::abs(along), box.half) + 0x1p-50 * size * size_of(along);
         return std::min(std::min(p0, p1), p2) > reach || std::max(std::max(p0, p1), p2) < -reach;
     };
     for (const Vec3d& along : {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)})

@@ -44,6 +44,7 @@ inline Vec3d normal_of_plane(const Face& face, double rate) {
     return unit_or_zero(flips ? -face.normal : face.normal);
 }
 
+// A face that is met from outside is the first contact with a convex set.
 inline FirstContact meet_triangle(const Motion& motion, const Corners& corners, const Face& face) {
     FirstContact first;
     first.meet(motion, face);
@@ -51,18 +52,41 @@ inline FirstContact meet_triangle(const Motion& motion, const Corners& corners, 
     first.meet(motion, Edge(corners.a, face.side0));
     first.meet(motion, Edge(corners.b, corners.c - corners.b));
     first.meet(motion, Edge(corners.a, face.side1));
-    for (const Vec3d& corner : {corners.a, corners.b, corners.c}) first.meet(motion, corner);
     return first;
 }
 
-inline FirstContact meet_prism(const Motion& motion, const Corners& corners, const Vec3d& axis) {
+inline FirstContact meet_prism(const Motion& motion, const Corners& corners, const Face& face,
+                               double rate, const Vec3d& axis) {
     FirstContact first;
-    for_each_face(corners, axis, [&](const Face& face) { first.meet(motion, face); });
-    for_each_edge(corners, axis, [&](const Edge& edge) { first.meet(motion, edge); });
-    for (const double core : {-1.0, 1.0})
-        for (const Vec3d& corner : {corners.a, corners.b, corners.c})
-            first.meet(motion, corner + core * axis, core);
+    const double rise = glm::dot(face.normal, axis);
+    const double outer = (rate > 0) == (rise > 0) ? -1 : 1;
+    first.meet(motion, face.moved(outer * axis, outer));
+    if (first.t < std::numeric_limits<double>::infinity()) return first;
+    first.meet(motion, face.moved(-outer * axis, -outer));
+    for_each_side(corners, axis, [&](const Face& side) { first.meet(motion, side); });
+    for (const Edge& edge : {Edge(corners.a, face.side0), Edge(corners.b, corners.c - corners.b),
+                             Edge(corners.a, face.side1)}) {
+        const Across across(motion, edge.along);
+        for (const double core : {-1.0, 1.0})
+            first.meet(motion, edge.moved(core * axis, core), across);
+    }
+    const Edge lateral(corners.a - axis, 2.0 * axis, -1, 2);
+    const Across across(motion, lateral.along);
+    first.meet(motion, lateral, across);
+    first.meet(motion, lateral.moved(face.side0, -1), across);
+    first.meet(motion, lateral.moved(face.side1, -1), across);
     return first;
+}
+
+// Whether the shape's box at the start is beside the triangle's.
+inline bool is_far(const Sweep& sweep, const Corners& corners) {
+    for (int k = 0; k < 3; ++k) {
+        const double reach = sweep.motion.radius + std::fabs(sweep.axis[k]);
+        if (std::min(std::min(corners.a[k], corners.b[k]), corners.c[k]) > reach
+            || std::max(std::max(corners.a[k], corners.b[k]), corners.c[k]) < -reach)
+            return true;
+    }
+    return false;
 }
 
 } // namespace sweep_detail
@@ -79,7 +103,7 @@ inline bool sweep_triangle(const Sweep& sweep, const Corners& corners, Contact& 
     if (is_beside && !(height * rate > 0)) return false; // and does not come nearer
 
     Nearest nearest;
-    if (!is_beside)
+    if (!is_beside && !is_far(sweep, corners))
         nearest = sweep.is_capsule ? nearest_to_segment(corners, face, sweep.axis)
                                    : nearest_to_origin(corners, face);
     FirstContact first;
@@ -87,7 +111,7 @@ inline bool sweep_triangle(const Sweep& sweep, const Corners& corners, Contact& 
     if (initial)
         first = {0, nearest.at, -nearest.at, nearest.core};
     else
-        first = sweep.is_capsule ? meet_prism(motion, corners, sweep.axis)
+        first = sweep.is_capsule ? meet_prism(motion, corners, face, rate, sweep.axis)
                                  : meet_triangle(motion, corners, face);
     if (!(first.t < std::numeric_limits<double>::infinity())) return false;
     contact.t = first.t;
