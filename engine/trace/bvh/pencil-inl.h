@@ -15,6 +15,8 @@
 #include "trace/lanes-inl.h"
 #include "trace/slabs.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
