@@ -6,12 +6,13 @@
 #include <limits>
 
 namespace peregrine::gameplay {
+namespace {
+
+// Of the point of the sphere that touches, along the surface.
 Vec3 slip(const BounceRules& rules, const Spinning& body, const Vec3& normal) {
     const Vec3 velocity = body.velocity - rules.radius * glm::cross(body.spin, normal);
     return velocity - glm::dot(velocity, normal) * normal;
 }
-
-namespace {
 
 // An impulse at the point of contact, against the slip: no more than what stops it.
 Spinning rub(const BounceRules& rules, const Spinning& body, const Vec3& normal, double most) {

@@ -17,9 +17,6 @@ struct Spinning {
     Vec3 spin{0}; // rad/s
 };
 
-// Of the point of the sphere that touches, along the surface.
-Vec3 slip(const BounceRules& rules, const Spinning& body, const Vec3& normal);
-
 // After meeting a surface at `approach` m/s along its normal. The energy never grows.
 Spinning bounce(const BounceRules& rules, const Spinning& body, const Vec3& normal,
                 double approach);

@@ -60,6 +60,16 @@ Vec3 displacement(std::span<const MeshMotion> motions, const rt_mesh& mesh, cons
 
 } // namespace
 
+void add(StateHash& hash, const CharacterState& state) {
+    hash.add(state.position);
+    hash.add(state.velocity);
+    hash.add(state.ground_normal);
+    hash.add(state.height);
+    hash.add(state.ground.index);
+    hash.add(state.grounded);
+    hash.add(state.squeezed);
+}
+
 void Character::place(const Vec3& position) {
     state_ = {};
     state_.position = position;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gameplay/world.h"
+#include "gameplay/state_hash.h"
 
 #include <span>
 #include <type_traits>
@@ -37,7 +37,7 @@ struct CharacterInput {
     std::span<const MeshMotion> motions{}; // borrowed for the call
 };
 
-// All that an update depends on and changes. Without padding, so that its bytes can be hashed.
+// All that an update depends on and changes.
 struct CharacterState {
     Vec3 position{0};      // the lowest point
     Vec3 velocity{0};      // on the ground: relative to it
@@ -48,6 +48,9 @@ struct CharacterState {
     uint32_t squeezed = 0; // 1: something moved into it, and there is no room to give way
 };
 static_assert(sizeof(CharacterState) == 96 && std::is_trivially_copyable_v<CharacterState>);
+
+// Of the mesh handle the index alone: generations differ between scenes.
+void add(StateHash& hash, const CharacterState& state);
 
 // A person who walks: an upright capsule that slides along walls, climbs steps, stands on slopes,
 // jumps, crouches, rides on what carries it and gives way to what pushes it. Moved by sweeps alone,

@@ -18,7 +18,8 @@ bool points_into_none(const Vec3& v, double tolerance, std::span<const Vec3> nor
 
 } // namespace
 
-void Contacts::add(const Vec3& normal) {
+void Contacts::add(const Vec3& direction) {
+    const Vec3 normal = glm::normalize(direction); // a query's is one of floats
     for (Vec3& known : std::span(normals_.data(), count_))
         if (glm::dot(known, normal) > kSame) {
             known = normal;

@@ -14,8 +14,9 @@ public:
     size_t count() const { return count_; }
     void clear() { *this = {}; }
 
-    // Takes the place of one that faces the same way; of the oldest if there is no room.
-    void add(const Vec3& normal);
+    // With a normal in this direction. Takes the place of one that faces the same way; of the
+    // oldest if there is no room.
+    void add(const Vec3& direction);
 
     // What a body of this velocity leaves behind is no contact any more.
     void drop_parting(const Vec3& velocity);

@@ -16,7 +16,7 @@ constexpr double kParting = 1e-4; // m/s, off a surface that it is not pressed o
 constexpr double kRattle = 1e-3;  // s between bounces
 constexpr uint32_t kMostRattles = 32;
 constexpr double kDozeWithin = 1e-3, kDozeAfter = 0.5; // m, s
-constexpr double kMoveWithin = 4;                       // s
+constexpr double kMoveWithin = 4;                      // s
 
 FlightRules flight_rules(const GrenadeRules& rules) {
     return {rules.radius, rules.gravity, rules.drag, rules.mask};
@@ -240,6 +240,20 @@ bool Grenade::roll_along(const World& world, const Stretch& stretch) {
     turn();
     note_place();
     return true;
+}
+
+void Grenade::add_to(StateHash& hash) const {
+    const Flight& flight = state_.flight;
+    hash.add(uint32_t(state_.motion));
+    for (const Vec3& v : {flight.position, flight.velocity, state_.spin, state_.anchor})
+        hash.add(v);
+    for (const double x : {time_, flight.time, flight.window, state_.stretch, state_.anchor_time,
+                           state_.last_bounce})
+        hash.add(x);
+    for (const Vec3& normal : state_.contacts.normals()) hash.add(normal);
+    hash.add(uint64_t(state_.contacts.count()));
+    hash.add(state_.tipping);
+    hash.add(state_.rattles);
 }
 
 Vec3 reach(const World& world, const Vec3& eye, const Vec3& hand, double radius, const Mask& mask) {

@@ -4,6 +4,7 @@
 #include "gameplay/contacts.h"
 #include "gameplay/flight.h"
 #include "gameplay/rolling.h"
+#include "gameplay/state_hash.h"
 
 #include <vector>
 
@@ -20,7 +21,7 @@ struct GrenadeRules {
     double friction = 0.5;         // Coulomb's, at impacts; 0: it never turns and slides for ever
     double rolling_friction = 0.1; // deceleration over the pressure on the ground
     double settling_speed = 0.1;   // m/s: what would bounce off slower than this does not
-    Mask mask;
+    Mask mask;                     // its list must live as long as what flies
 
     double inertia() const { return friction > 0 ? 0.4 : 0; }
 };
@@ -64,6 +65,7 @@ public:
     Vec3 velocity() const { return now().velocity; }
     Vec3 spin() const { return state_.spin; }
     const GrenadeRules& rules() const { return rules_; }
+    void add_to(StateHash& hash) const;
     const GrenadeState& state() const { return state_; }         // all of it, beside time()
     std::span<const Bounce> bounces() const { return bounces_; } // during the last advance
 

@@ -16,7 +16,7 @@ struct ProjectileRules {
     double ricochet_restitution = 0.3; // of the speed towards the surface
     double ricochet_keep = 0.8;        // of the speed along it
     uint32_t most_ricochets = 4;
-    Mask mask;
+    Mask mask; // its list must live as long as what flies
 };
 
 struct ProjectileHit {

@@ -18,6 +18,12 @@ Vec3 reaction(const RollingRules& rules, const Contacts& contacts) {
     return constrain(rules.gravity, contacts.normals()) - rules.gravity;
 }
 
+bool is_held(const RollingRules& rules, const Contacts& contacts) {
+    const Vec3 pressure = reaction(rules, contacts);
+    const Vec3 pull = (rules.gravity + pressure) / (1 + rules.inertia);
+    return glm::length(pull) <= rules.friction * glm::length(pressure);
+}
+
 // Round an edge a ball keeps its speed; into a rising surface it loses what points there.
 Vec3 turn(const Vec3& velocity, const Contacts& contacts) {
     const Vec3 held = constrain(velocity, contacts.normals());
@@ -54,15 +60,20 @@ std::optional<Stretch> next_stretch(const RollingRules& rules, const Rolling& ba
         if (strength <= resistance) return std::nullopt;
         acceleration = (1 - resistance / strength) * pull;
     } else {
-        const Vec3 heading = ball.velocity / speed;
-        acceleration = pull - resistance * heading;
-        const double slowing = -glm::dot(acceleration, heading);
+        const double slowing = resistance - glm::dot(pull, ball.velocity) / speed;
         if (slowing * duration > speed) duration = speed / slowing;
+        // Friction against the way that the pull has turned it to by then: one that turned it
+        // itself could sway for ever.
+        const Vec3 pulled = ball.velocity + duration * pull;
+        const double length = glm::length(pulled);
+        const double kept = length > 0 ? std::max(0.0, 1 - resistance * duration / length) : 0;
+        acceleration = (kept * pulled - ball.velocity) / duration;
     }
     return Stretch{ball.velocity + 0.5 * duration * acceleration, acceleration, duration};
 }
 
-// A little further down the normal has turned with the ball, as it does on no face.
+// On an edge the normal turns with the ball from the first millimetre on, as it does on no face;
+// a quarter of the radius further the edge must be too steep to be held on.
 bool is_tipping(const World& world, const RollingRules& rules, const Rolling& ball) {
     if (ball.contacts.count() != 1) return false;
     const Vec3& normal = ball.contacts.normals()[0];
@@ -70,10 +81,16 @@ bool is_tipping(const World& world, const RollingRules& rules, const Rolling& ba
     const double strength = glm::length(pull);
     if (strength == 0) return false;
     const Vec3 down = pull / strength;
-    const double further = rules.radius / 8;
-    const auto below =
-        world.nearest(ball.position + further * down, rules.radius + further, rules.mask);
-    return below && glm::dot(below->normal - normal, down) > 0.5 * further / rules.radius;
+    const auto normal_at = [&](double further) {
+        const auto ground =
+            world.nearest(ball.position + further * down, rules.radius + further, rules.mask);
+        return ground ? ground->normal : normal;
+    };
+    constexpr double kLittle = 1.0 / 64, kFar = 1.0 / 4; // of the radius
+    if (glm::dot(normal_at(kLittle * rules.radius) - normal, down) < 0.5 * kLittle) return false;
+    Contacts further;
+    further.add(normal_at(kFar * rules.radius));
+    return !is_held(rules, further);
 }
 
 Rolling follow(const World& world, const RollingRules& rules, const Rolling& ball,

@@ -31,6 +31,15 @@ Vec3 origin_near(const Vec3& point) {
 
 } // namespace
 
+void add(StateHash& hash, const Notice& notice) {
+    hash.add(notice.last_known);
+    hash.add(notice.unseen);
+    hash.add(notice.visibility);
+    hash.add(notice.suspicion);
+    hash.add(uint32_t(notice.mood));
+    hash.add(notice.known);
+}
+
 void Watch::reset(size_t sentry_count, size_t target_count) {
     notices_.assign(sentry_count * target_count, {});
     target_count_ = target_count;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gameplay/world.h"
+#include "gameplay/state_hash.h"
 
 #include <span>
 #include <type_traits>
@@ -36,7 +36,7 @@ struct Noise {
 
 enum class Mood : uint32_t { calm, suspicious, alarmed };
 
-// What one sentry knows of one target. Without padding, so that its bytes can be hashed.
+// What one sentry knows of one target.
 struct Notice {
     Vec3 last_known{0};     // where it was seen or heard last
     double unseen = 0;      // seconds since it was in view
@@ -46,6 +46,8 @@ struct Notice {
     uint32_t known = 0;     // 1: last_known means something
 };
 static_assert(sizeof(Notice) == 56 && std::is_trivially_copyable_v<Notice>);
+
+void add(StateHash& hash, const Notice& notice);
 
 // Many sentries watching many targets: all their lines of sight are one batch of rays, and only
 // those within range and view cone are traced.

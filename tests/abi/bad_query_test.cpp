@@ -78,7 +78,7 @@ TEST_F(BadQuery, Fields) {
     all.desc.hit_counts = counts;
     all.desc.max_hits = 0xffffffffu;
     all.desc.ray_count = UINT64_MAX / 2;
-    refuse(all, RT_ERROR_LIMIT, "max_hits");
+    refuse(all, RT_ERROR_LIMIT, "rt_query_desc");
     Query count(RT_QUERY_COUNT);
     refuse(count, kArgument, "rt_query_desc.hit_counts is null");
     Query surfaces(RT_QUERY_CLOSEST);

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -24,12 +25,16 @@ std::string processor() {
     return "unknown";
 }
 
+// Under another name until it is whole.
 void write_json(const Options& options, const std::string& rows) {
-    std::ofstream file(options.json);
+    const std::string part = options.json + ".part";
+    std::ofstream file(part);
     file << "{\"machine\": {\"processor\": " << nlohmann::json(processor())
          << ", \"threads\": " << std::thread::hardware_concurrency() << "}, \"rows\": " << rows
          << "}\n";
-    if (!file) throw std::runtime_error("cannot write " + options.json);
+    file.close();
+    if (!file) throw std::runtime_error("cannot write " + part);
+    std::filesystem::rename(part, options.json);
 }
 
 void add_options(CLI::App& command, Options& options) {

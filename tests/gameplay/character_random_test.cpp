@@ -1,10 +1,9 @@
 // Long walks at random: never out of the room, never overlapping, the same to the bit.
 #include "support/arena.h"
+#include "support/wanderer.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
-
-#include <random>
 
 namespace peregrine::test {
 namespace {
@@ -31,31 +30,6 @@ void furnish(Arena& arena) {
     arena.add_triangle({5, 0, 0}, {5.5, 1.2, 0.7}, {6, 0, 0.3});    // a spike
     arena.commit();
 }
-
-// Keeps an input for some time, then chooses another. By the integers of the generator alone: the
-// standard's distributions differ between libraries.
-class Wanderer {
-public:
-    explicit Wanderer(uint32_t seed) : random_(seed) {}
-
-    const CharacterInput& next() {
-        input_.jump = pick(90) == 0;
-        if (left_-- > 0) return input_;
-        left_ = int(pick(60));
-        const Vec3 way(int(pick(2001)) - 1000, 0, int(pick(2001)) - 1000);
-        const double length = glm::length(way);
-        input_.walk = length > 0 && pick(10) > 0 ? way / length : Vec3(0);
-        input_.crouch = pick(5) == 0;
-        return input_;
-    }
-
-private:
-    uint32_t pick(uint32_t count) { return uint32_t(random_() % count); }
-
-    std::mt19937 random_;
-    CharacterInput input_;
-    int left_ = 0;
-};
 
 TEST(CharacterRandom, StaysInAClosedRoomForTenMinutes) {
     Arena arena;
@@ -86,12 +60,12 @@ TEST(CharacterRandom, StaysInAClosedRoomForTenMinutes) {
 uint64_t wander(const gameplay::World& world, uint32_t seed, int steps) {
     Character character = standing(world, {0, 0.1, -2});
     Wanderer wanderer(seed);
-    uint64_t all = hash(character.state());
+    gameplay::StateHash all;
     for (int i = 0; i < steps; ++i) {
         character.update(wanderer.next(), kStep);
-        all = hash(character.state(), all);
+        add(all, character.state());
     }
-    return all;
+    return all.value();
 }
 
 TEST(CharacterRandom, IsTheSameToTheBit) {

@@ -50,8 +50,6 @@ public:
         for (const host::Viewpoint& spawn : level.spawns) eyes_.push_back(spawn.position);
     }
 
-    // As far as that goes between two events, the straight way from one tick's place to the next
-    // must be free: nothing is passed.
     Fate run(Random& random) {
         const Vec3& eye = eyes_[random.below(uint32_t(eyes_.size()))];
         const Vec3 velocity = 20.0 * random.in_ball();
@@ -60,27 +58,31 @@ public:
         const auto world = arena_.world();
         Grenade grenade(world, rules, 0, eye, velocity);
         Fate fate{Motion::flying, kPatience, false, false, 0, 0};
-        Vec3 before = grenade.position();
         for (int tick = 1; tick <= 60 * kPatience; ++tick) {
+            const Vec3 before = grenade.position();
             grenade.advance(world, tick / 60.0);
             fate.bounces += grenade.bounces().size();
             fate.motion = grenade.motion();
             fate.deepest = std::min(fate.deepest, gap(world, grenade));
-            const Vec3 now = grenade.position();
-            if (grenade.bounces().empty() && grenade.motion() == Motion::flying)
-                fate.passed |= !world.is_free(before, now);
-            before = now;
-            if (fate.motion == Motion::resting) {
-                fate.seconds = tick / 60.0;
-                break;
-            }
-            fate.left_level = now.y < bounds_.lower.y - 1;
-            if (fate.left_level) break;
+            fate.passed |= !came_freely(grenade, before);
+            fate.seconds = tick / 60.0;
+            fate.left_level = grenade.position().y < bounds_.lower.y - 1;
+            if (fate.motion == Motion::resting || fate.left_level) break;
         }
         return fate;
     }
 
 private:
+    // From bounce to bounce nothing lies in the way of the centre.
+    bool came_freely(const Grenade& grenade, Vec3 from) const {
+        for (const gameplay::Bounce& bounce : grenade.bounces()) {
+            const Vec3 to = bounce.contact.point + grenade.rules().radius * bounce.contact.normal;
+            if (!arena_.world().is_free(from, to)) return false;
+            from = to;
+        }
+        return arena_.world().is_free(from, grenade.position());
+    }
+
     Arena arena_;
     host::Bounds bounds_;
     std::vector<Vec3> eyes_;

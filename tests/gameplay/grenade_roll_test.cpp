@@ -75,6 +75,21 @@ TEST(GrenadeRoll, StopsWhereFrictionHoldsIt) {
     EXPECT_LT(stopped, 1.6 / 9.81 / 0.06);
 }
 
+// Slowly across a slope that friction just about holds: it turns downhill and stops, without
+// swaying on for ever.
+TEST(GrenadeRoll, DoesNotSwayDownASlope) {
+    Arena arena;
+    arena.add_quad({-50, 6, -50}, {-50, 6, 50}, {50, -6, 50}, {50, -6, -50});
+    arena.commit();
+    const Vec3 normal = glm::normalize(Vec3(0.12, 1, 0));
+    for (const Vec3& velocity : {Vec3(0.0015, 0, 0.005), Vec3(0.005, 0, 0.005), Vec3(0, 0, 0.1)}) {
+        Grenade grenade(arena.world(), {}, 0, 0.075 * normal, velocity);
+        grenade.advance(arena.world(), 5);
+        EXPECT_EQ(grenade.motion(), Motion::resting);
+        EXPECT_LT(glm::distance(grenade.position(), 0.075 * normal), glm::length(velocity));
+    }
+}
+
 //   o->
 //   ______
 //         |       off a table: over its edge without a jump, then down

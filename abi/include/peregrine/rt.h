@@ -480,7 +480,8 @@ enum {
     RT_STRUCTURE_BIH = 3 /* builds quickly, takes little memory, traces one ray at a time */
 };
 
-/* How long to build for how much speed. The kd-tree has one quality, the BIH two: fast and the rest. */
+/* How long to build for how much speed. The kd-tree has one quality, the BIH two: fast and the
+ * rest. */
 typedef int32_t rt_build_quality;
 enum {
     RT_BUILD_BALANCED = 0,
@@ -541,9 +542,9 @@ typedef struct rt_commit_report {
     double build_ms;           /* wall time of the structure alone */
     double commit_ms;          /* wall time of the whole call */
     uint32_t light_count;
-    uint32_t rebuilt;         /* 0: no structure of a static or dynamic mesh was built */
-    rt_structure structure;   /* of the static meshes; never AUTO */
-    rt_build_quality quality; /* as asked for */
+    uint32_t rebuilt;                /* 0: no structure of a static or dynamic mesh was built */
+    rt_structure structure;          /* of the static meshes; never AUTO */
+    rt_build_quality quality;        /* as asked for */
     uint64_t dynamic_triangle_count; /* of triangle_count: of dynamic meshes ... */
     uint64_t rigid_triangle_count;   /* ... and of rigid ones */
     uint32_t instance_count;         /* rigid meshes and instances that are not hidden */

@@ -15,6 +15,8 @@
 #include "trace/lanes-inl.h"
 #include "trace/slabs.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
@@ -71,13 +73,15 @@ struct Pencil {
     }
 
 private:
+    // `distance` is how far anything can be.
     template <bool Full>
-    HWY_ATTR bool gather_rays(const RayStream& rays);
+    HWY_ATTR bool gather_rays(const RayStream& rays, float distance);
 };
 
 template <bool Full>
-HWY_ATTR bool Pencil::gather_rays(const RayStream& rays) {
-    constexpr float kWidest = 0.05f; // mean width of a bundle; measured: beyond, waves are faster
+HWY_ATTR bool Pencil::gather_rays(const RayStream& rays, float distance) {
+    // Mean width of a bundle, in slopes and in feet by length; measured: beyond, waves are faster.
+    constexpr float kWidest = 0.05f;
     const uint32_t middle = first + count / 2;
     const V8 infinity = hn::Set(k8, std::numeric_limits<float>::infinity());
     const V8 sign_v = hn::Set(k8, sign), plane = hn::Set(k8, plane_z);
@@ -143,9 +147,14 @@ HWY_ATTR bool Pencil::gather_rays(const RayStream& rays) {
           && hn::GetLane(hn::MinOfLanes(k8, least_scale)) >= 0x1p-32f
           && hn::GetLane(hn::MaxOfLanes(k8, most_scale)) <= 0x1p32f))
         return false;
-    float width = 0;
-    for (uint32_t g = 0; g < bundle_count; ++g) width += (p1[g] - p0[g]) + (q1[g] - q0[g]);
-    if (!(width <= kWidest * float(bundle_count))) return false;
+    float slope_width = 0, foot_width = 0, length = 0;
+    for (uint32_t g = 0; g < bundle_count; ++g) {
+        slope_width += (p1[g] - p0[g]) + (q1[g] - q0[g]);
+        foot_width += (a1[g] - a0[g]) + (b1[g] - b0[g]);
+        length += std::clamp(bundle_limit[g], 0.0f, distance);
+    }
+    if (!(slope_width <= kWidest * float(bundle_count) && foot_width <= kWidest * length))
+        return false;
     near = hn::GetLane(hn::MinOfLanes(k8, begin));
     bundles = uint32_t((uint64_t(1) << bundle_count) - 1);
     return near >= 0;
@@ -185,7 +194,8 @@ inline HWY_ATTR bool Pencil::gather(const Target& target, const RayStream& rays,
         std::max(largest_component(origins.lower), largest_component(origins.upper));
     // Rounding of a and b adds 3 e (distance + far_away) to what Beam and slabs.h allow for.
     margin = 0x1p-20f * distance + 0x1p-21f * far_away;
-    return n % kBundleRays == 0 ? gather_rays<true>(rays) : gather_rays<false>(rays);
+    return n % kBundleRays == 0 ? gather_rays<true>(rays, distance)
+                                : gather_rays<false>(rays, distance);
 }
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE

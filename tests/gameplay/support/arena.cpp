@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <stdexcept>
 
 namespace peregrine::test {
@@ -29,9 +28,10 @@ rt_mesh_desc describe(const std::vector<float>& positions) {
 
 } // namespace
 
-Arena::Arena(rt_isa isa) : api_(rt_get_api(RT_API_VERSION)) {
+Arena::Arena(rt_isa isa, uint32_t threads) : api_(rt_get_api(RT_API_VERSION)) {
     rt_scene_desc desc = rt_default_scene_desc();
     desc.isa = isa;
+    desc.worker_count = threads;
     const rt_result result = api_->create_scene(&desc, &scene_);
     supported_ = result != RT_ERROR_UNSUPPORTED;
     if (!supported_) return;
@@ -135,13 +135,10 @@ gameplay::Character standing(const gameplay::World& world, const Vec3& position,
     return character;
 }
 
-uint64_t hash(const gameplay::CharacterState& state, uint64_t start) {
-    gameplay::CharacterState copy = state;
-    copy.ground.generation = 0;
-    unsigned char bytes[sizeof copy];
-    std::memcpy(bytes, &copy, sizeof copy);
-    for (const unsigned char byte : bytes) start = (start ^ byte) * 1099511628211u;
-    return start;
+uint64_t hash(const gameplay::CharacterState& state) {
+    gameplay::StateHash hash;
+    add(hash, state);
+    return hash.value();
 }
 
 } // namespace peregrine::test

@@ -11,7 +11,7 @@ using gameplay::Vec3;
 // A little world of boxes and quads for the rules of the game, through the table of the library.
 class Arena {
 public:
-    explicit Arena(rt_isa isa = RT_ISA_BEST);
+    explicit Arena(rt_isa isa = RT_ISA_BEST, uint32_t threads = 1);
     ~Arena();
     Arena(const Arena&) = delete;
     Arena& operator=(const Arena&) = delete;
@@ -59,8 +59,6 @@ void run(gameplay::Character& character, gameplay::CharacterInput input, int ste
 gameplay::Character standing(const gameplay::World& world, const Vec3& position,
                              const gameplay::CharacterRules& rules = {});
 
-// FNV-1a over the bytes of a state; of a handle only the index, since generations differ between
-// scenes.
-uint64_t hash(const gameplay::CharacterState& state, uint64_t start = 14695981039346656037u);
+uint64_t hash(const gameplay::CharacterState& state);
 
 } // namespace peregrine::test
