@@ -25,8 +25,8 @@ void ShapeWorld::add(std::vector<geometry::Triangle> triangles, scene::MeshKind 
         for (const Vec3& v : {triangle.v0, triangle.v1, triangle.v2}) data->positions.push_back(v);
     }
     scene::MeshDescription mesh{data, layer_mask, kind};
+    if (kind != scene::MeshKind::fixed) mesh.shape = std::make_shared<scene::Shape>();
     if (kind == scene::MeshKind::rigid) {
-        mesh.shape = std::make_shared<scene::Shape>();
         mesh.placement = {to_world, math::inverse(to_world)};
         mesh.placement.condition = to_world.norm() * mesh.placement.to_local.norm();
         mesh.placement.mirrored = math::determinant(to_world) < 0;

@@ -36,7 +36,7 @@ size_t QueryWorld::add(const std::vector<geometry::Triangle>& triangles, scene::
     mesh.kind = kind;
     mesh.layer_mask = layer_mask;
     mesh.user_data = 1000 + parts.size();
-    if (kind == scene::MeshKind::rigid) mesh.shape = std::make_shared<scene::Shape>();
+    if (kind != scene::MeshKind::fixed) mesh.shape = std::make_shared<scene::Shape>();
     part.mesh = scene.meshes.insert(std::move(mesh));
     scene.touch_triangles(kind);
     parts.push_back(std::move(part));

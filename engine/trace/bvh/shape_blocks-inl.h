@@ -189,7 +189,8 @@ public:
         // below 2 R, is 600 e S S S R.
         const V4 moves = hn::Div(hn::Mul(length12_, error), speed);
         const V4 doubt = hn::MulAdd(hn::Mul(moves, t.size), size, hn::Mul(error, t.size));
-        const auto sure = hn::And(hn::Gt(inside, doubt), hn::Gt(gap, error));
+        const auto sure = hn::And(hn::And(hn::Gt(inside, doubt), hn::Gt(gap, error)),
+                                  hn::Gt(size, hn::Set(k4, 0x1p-45f))); // else `size` is off
         found.certain = bits_of(k4, sure) & found.open;
         hn::Store(latest, k4, found.latest);
     }
@@ -246,12 +247,14 @@ struct FourDistances {
         const V4 inside =
             hn::Min(dot(cross(t.a, t.ab), normal),
                     hn::Min(dot(cross(t.b, t.bc), normal), dot(cross(t.ac, t.c), normal)));
-        const V4 near = hn::Max(hn::Sub(height, more), hn::Zero(k4));
-        const V4 plane = hn::Min(edges, hn::Div(hn::Mul(near, near), square));
+        // Divided before they are squared, so that nothing vanishes in the denormal range; of a
+        // normal that does, nothing is sure.
+        const V4 near = hn::Div(hn::Max(hn::Sub(height, more), hn::Zero(k4)), length(normal));
+        const V4 plane = hn::Min(edges, hn::Mul(near, near));
         low = hn::IfThenElse(hn::Lt(inside, hn::Neg(doubt)), edges, plane);
-        const V4 far = hn::Add(height, more);
-        const V4 foot = hn::Div(hn::Mul(far, far), square);
-        high = hn::IfThenElse(hn::Gt(inside, doubt), hn::Min(foot, edges), edges);
+        const V4 far = hn::Div(hn::Add(height, more), hn::Sqrt(square));
+        const auto sure = hn::And(hn::Gt(inside, doubt), hn::Gt(square, hn::Set(k4, 0x1p-90f)));
+        high = hn::IfThenElse(sure, hn::Min(hn::Mul(far, far), edges), edges);
     }
 
 private:

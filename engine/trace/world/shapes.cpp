@@ -17,8 +17,8 @@ const ShapeKernels& kernels(const Part& part, const Query& query) {
 }
 
 Place place_of(const Instance& instance) {
-    return instance.has_own_space ? Place{instance.to_world, instance.mirrored, instance.mesh}
-                                  : kWhereItIs;
+    if (instance.has_own_space) return {instance.to_world, instance.mirrored, instance.mesh};
+    return {nullptr, false, instance.mesh};
 }
 
 // At least the length of the image of any unit vector: |W| = sqrt(|W^T W|), the latter in the
