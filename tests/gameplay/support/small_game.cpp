@@ -18,21 +18,6 @@ constexpr size_t kMostGrenades = 6;
 constexpr uint64_t kLiftTicks = 180; // up, and down again
 constexpr double kLiftSpeed = 0.5;   // m/s
 
-void add(StateHash& hash, const CharacterState& state) {
-    for (const Vec3& v : {state.position, state.velocity, state.ground_normal}) hash.add(v);
-    hash.add(state.height);
-    hash.add(state.ground.index);
-    hash.add(state.grounded);
-    hash.add(state.squeezed);
-}
-
-void add(StateHash& hash, const Notice& notice) {
-    hash.add(notice.last_known);
-    for (const double x : {notice.unseen, notice.visibility, notice.suspicion}) hash.add(x);
-    hash.add(uint32_t(notice.mood));
-    hash.add(notice.known);
-}
-
 } // namespace
 
 SmallGame::SmallGame(rt_isa isa, uint32_t threads)
