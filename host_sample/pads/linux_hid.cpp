@@ -7,7 +7,10 @@
 #include <fstream>
 #include <iterator>
 
+#include <fcntl.h>
 #include <hidapi/hidapi.h>
+#include <linux/hidraw.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace host::pads {
@@ -43,6 +46,17 @@ public:
 
 private:
     hid_device* device_;
+};
+
+struct OpenFile {
+    explicit OpenFile(int opened) : number(opened) {}
+    ~OpenFile() {
+        if (number >= 0) close(number);
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    int number;
 };
 
 Bus bus_of(unsigned number) {
@@ -114,9 +128,13 @@ bool LinuxHid::describe(const std::string& name, HidNode& node) {
     return true;
 }
 
+// Asked first what hidapi will ask: it hides why it cannot open a node, and 0.13 leaks memory and
+// writes to what it freed when a node turns out to be no HID device (its issue 542).
 Opened LinuxHid::open(const HidNode& node) {
-    if (access(node.path.c_str(), R_OK | W_OK) != 0)
-        return {nullptr, errno == EACCES || errno == EPERM};
+    const OpenFile file(::open(node.path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK));
+    if (file.number < 0) return {nullptr, errno == EACCES || errno == EPERM};
+    int size = 0;
+    if (ioctl(file.number, HIDIOCGRDESCSIZE, &size) < 0) return {};
     hid_device* device = hid_open_path(node.path.c_str());
     if (!device) return {};
     return {std::make_unique<HidapiPort>(device), false};
