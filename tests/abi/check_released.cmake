@@ -26,6 +26,7 @@ file(READ ${HEADER} header)
 foreach(line IN LISTS old)
   string(REGEX MATCHALL "(rt_[a-z_]+\\()|(RT_[A-Z0-9_]+ = [0-9a-z<u ]+)" names "${line}")
   foreach(name IN LISTS names)
+    string(STRIP "${name}" name) # a constant that is not the last any more is followed by a comma
     string(FIND "${header}" "${name}" place)
     if(place EQUAL -1)
       message(SEND_ERROR "released, but no longer declared: ${name}")
