@@ -21,6 +21,7 @@ public:
     double x_of(uint32_t column) const { return x0_ + (column + 0.5) / scale_; }
     double z_of(uint32_t row) const { return z0_ + (row + 0.5) / scale_; }
 
+    const Color& pixel(size_t i) const { return pixels_[i]; }
     void set(uint32_t column, uint32_t row, const Color& color);
     // Smooth shapes, over what is there.
     void line(double ax, double az, double bx, double bz, double width, const Color& color,

@@ -26,7 +26,7 @@ constexpr Color kInk{0.12, 0.13, 0.16}, kPaper{0.97, 0.96, 0.93}, kBlue{0.10, 0.
 struct Place {
     float x, z;
 };
-constexpr Place kWatcher{1.0f, -12.0f};
+constexpr Place kWatcher{0.0f, -13.0f};
 constexpr double kPlan[4] = {-23.4, -34.8, 27.6, 0.9}; // of our hall: x0, z0, x1, z1
 
 Color mix(const Color& a, const Color& b, double part) {
@@ -50,6 +50,14 @@ void fill(Canvas& canvas, Colored&& color) {
     for (uint32_t row = 0; row < canvas.height(); ++row)
         for (uint32_t column = 0; column < canvas.width(); ++column, ++i)
             canvas.set(column, row, color(i));
+}
+
+// The plan with its paper coloured.
+template <class Colored>
+Canvas over_walls(const Canvas& plan, Colored&& color) {
+    Canvas canvas = plan;
+    fill(canvas, [&](size_t i) { return plan.pixel(i).r < 0.5 ? kInk : color(i); });
+    return canvas;
 }
 
 rt_ray toward(float x, float z, double angle, float reach = kInfinity) {
@@ -91,13 +99,12 @@ Canvas draw_closest(const Asker& asker, Canvas canvas) {
     return canvas;
 }
 
-Canvas draw_any(const Asker& asker, Canvas canvas) {
-    const auto occluded = asker.any(per_pixel<rt_ray>(canvas, [](float x, float z) {
+Canvas draw_any(const Asker& asker, const Canvas& plan) {
+    const auto occluded = asker.any(per_pixel<rt_ray>(plan, [](float x, float z) {
         return rt_ray{{kWatcher.x, kHeight, kWatcher.z}, 0, {x - kWatcher.x, 0, z - kWatcher.z}, 1};
     }));
-    Canvas seen = canvas;
-    fill(seen, [&](size_t i) {
-        return occluded[i] ? mix(kPaper, kInk, 0.45) : mix(kPaper, kGold, 0.45);
+    Canvas seen = over_walls(plan, [&](size_t i) {
+        return occluded[i] ? mix(kPaper, kInk, 0.3) : mix(kPaper, kGold, 0.45);
     });
     seen.disc(kWatcher.x, kWatcher.z, 0.35, kBlue);
     return seen;
@@ -153,15 +160,13 @@ Canvas draw_sweep(const Asker& asker, Canvas canvas) {
     return canvas;
 }
 
-Canvas draw_overlap(const Asker& asker, Canvas canvas) {
-    const auto touching = asker.overlap(per_pixel<rt_shape>(canvas, [](float x, float z) {
+Canvas draw_overlap(const Asker& asker, const Canvas& plan) {
+    const auto touching = asker.overlap(per_pixel<rt_shape>(plan, [](float x, float z) {
         return rt_shape{{x, 1.0f, z}, 0.35f, {0, 0.55f, 0}, RT_SHAPE_CAPSULE, {0, 0, 0, 0}};
     }));
-    Canvas free = canvas;
-    fill(free, [&](size_t i) {
+    return over_walls(plan, [&](size_t i) {
         return touching[i] ? mix(kPaper, kRed, 0.5) : mix(kPaper, kGreen, 0.35);
     });
-    return free;
 }
 
 Canvas draw_nearest(const Asker& asker, Canvas canvas) {
