@@ -23,6 +23,7 @@ struct Options {
     size_t count = 100'000;         // queries an item ...
     size_t reference = 20'000;      // ... and how many of them are judged
     std::string library;
+    float way = 0; // metres; 0: the default of the command
     std::string json;
 };
 

@@ -95,6 +95,10 @@ void add_query_options(CLI::App& queries, Options& options) {
     queries.add_option("--peer", options.peers, "Peers: embree (robust and fast), bullet")
         ->delimiter(',')
         ->check(CLI::IsMember({"embree", "bullet"}));
+    queries
+        .add_option("--way", options.way,
+                    "How far sweeps and crossings go, in metres; default: 10% of the diagonal")
+        ->check(CLI::Range(0.001, 1e6));
     queries.add_option("--count", options.count, "Queries an item")
         ->capture_default_str()
         ->check(CLI::Range(1, 10'000'000));

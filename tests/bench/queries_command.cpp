@@ -23,7 +23,7 @@ const QueryItem& find_item(const std::string& name) {
 void race_scene(const Options& options, const TraceScene& scene, QueryRace& race) {
     std::fprintf(stderr, "%s: finding its free space\n", scene.name.c_str());
     const Reference reference(scene.triangles, kBand);
-    const QueryMaker maker(scene, reference);
+    const QueryMaker maker(scene, reference, options.way);
     std::fprintf(stderr, "%s: building\n", scene.name.c_str());
     const QueryContestants contestants = race.gather({scene.triangles});
     print_query_header(scene.name + ", " + std::to_string(scene.triangles.size()) + " triangles");

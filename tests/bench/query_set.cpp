@@ -53,23 +53,22 @@ struct Source {
     }
 };
 
-rt_ray make_ray(std::string_view item, Source& source, float diagonal) {
+rt_ray make_ray(std::string_view item, Source& source, float way) {
     const Vec3 from = source.point();
     if (item == "probe") return to_ray(from, {0, -1, 0}, kProbe);
     if (item == "batch") return to_ray(from, source.random.direction(), kInfinity);
-    if (item == "all") return to_ray(from, source.random.direction(), kWay * diagonal);
+    if (item == "all") return to_ray(from, source.random.direction(), way);
     Vec3 to = source.point();
     while (to == from) to = source.point();
     return to_ray(from, to - from, 1);
 }
 
 // Starts where it touches nothing: what a sweep says of an overlap is each library's own.
-rt_sweep make_sweep(std::string_view item, Source& source, float diagonal,
-                    const Reference& reference) {
+rt_sweep make_sweep(std::string_view item, Source& source, float way, const Reference& reference) {
     rt_sweep sweep{};
     sweep.radius = item == "sphere-0.1" ? 0.1f : kWide;
     sweep.axis[1] = item == "capsule" ? kHalfAxis : 0;
-    sweep.t_max = kWay * diagonal;
+    sweep.t_max = way;
     const math::Vec3d axis(0, double(sweep.axis[1]), 0);
     const double room = double(sweep.radius) + kClear;
     for (size_t trial = 0; trial < kTrials; ++trial) {
@@ -143,8 +142,8 @@ QuerySet scaled(QuerySet set, float scale) {
     return set;
 }
 
-QueryMaker::QueryMaker(const TraceScene& scene, const Reference& reference)
-    : scene_(scene), reference_(reference) {
+QueryMaker::QueryMaker(const TraceScene& scene, const Reference& reference, float way)
+    : reference_(reference), way_(way > 0 ? way : kWay * scene.diagonal()) {
     Random random(5);
     for (const host::Viewpoint& camera : scene.cameras)
         points_.push_back(math::Vec3(camera.position));
@@ -165,17 +164,16 @@ QueryMaker::QueryMaker(const TraceScene& scene, const Reference& reference)
 QuerySet QueryMaker::make(const QueryItem& item, size_t count) const {
     QuerySet set{item.kind, {}, {}, {}, {}};
     Source source{points_, Random(uint32_t(6 + (&item - kItems)))};
-    const float diagonal = scene_.diagonal();
     while (set.size() < count) {
         switch (item.kind) {
         case QueryKind::any:
         case QueryKind::closest:
         case QueryKind::stream:
         case QueryKind::all:
-            set.rays.push_back(make_ray(item.name, source, diagonal));
+            set.rays.push_back(make_ray(item.name, source, way_));
             break;
         case QueryKind::sweep:
-            set.sweeps.push_back(make_sweep(item.name, source, diagonal, reference_));
+            set.sweeps.push_back(make_sweep(item.name, source, way_, reference_));
             break;
         case QueryKind::overlap:
             set.shapes.push_back(make_shape(item.name, source));

@@ -41,13 +41,14 @@ QuerySet scaled(QuerySet set, float scale);
 // reference is asked, and sets are the same for the same scene and count.
 class QueryMaker {
 public:
-    QueryMaker(const TraceScene& scene, const Reference& reference);
+    // `way` is how far sweeps and crossings go, in metres; 0: 10% of the scene's diagonal.
+    QueryMaker(const TraceScene& scene, const Reference& reference, float way);
 
     QuerySet make(const QueryItem& item, size_t count) const;
 
 private:
-    const TraceScene& scene_;
     const Reference& reference_;
+    float way_;
     std::vector<math::Vec3> points_;
 };
 

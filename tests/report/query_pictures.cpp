@@ -180,7 +180,7 @@ Canvas draw_nearest(const Asker& asker, Canvas canvas) {
         return mix(mix(kGold, kPaper, d / 4), kInk, band);
     });
     for (const Place& place :
-         {Place{-3.5f, -8.5f}, Place{4.0f, -17.0f}, Place{-14.5f, -12.0f}, Place{19.0f, -20.5f}}) {
+         {Place{-9.2f, -15.9f}, Place{5.3f, -15.2f}, Place{-14.3f, -12.0f}, Place{26.0f, -20.0f}}) {
         const rt_nearest at = asker.nearest({{{place.x, kHeight, place.z}, 10.0f}})[0];
         canvas.line(place.x, place.z, at.point[0], at.point[2], 0.08, kGreen);
         canvas.disc(place.x, place.z, 0.25, kBlue);
