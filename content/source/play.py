@@ -1,7 +1,7 @@
 """What moves and what matters in the game: doors, the lift, the gate, cores and patrols.
 
 The game knows them by the names of their nodes:
-  door_left_N, door_right_N   leaves that turn about their own Y axis
+  door_left_N, door_right_N   leaves that turn about their own Y axis; open, and closed at a yaw of -90
   lift_N, lift_N_top          a platform, and where it goes
   gate_N, gate_N_exit         a grille that rises, and the place to reach
   crate_N                     can be pushed
@@ -52,9 +52,9 @@ def prefabs() -> dict[str, Model]:
 
 def add(scene: Scene) -> None:
     for z in (-10.0, -22.0):
-        for x in (10.46, -10.54):
-            scene.put("door_left", x, 0, z - 0.895, -90)
-            scene.put("door_right", x, 0, z + 0.895, -90)
+        for x, left, right in ((10.46, 0, 180), (-10.54, 180, 0)):
+            scene.put("door_left", x, 0, z - 0.895, left)
+            scene.put("door_right", x, 0, z + 0.895, right)
     lift(scene)
     scene.put("gate", 26.8, 0, -16.0, -90)
     scene.mark("gate_0_exit", 25.6, 0.0, -16.0)
