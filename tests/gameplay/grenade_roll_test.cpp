@@ -66,7 +66,7 @@ TEST(GrenadeRoll, StopsWhereFrictionHoldsIt) {
     rules.rolling_friction = 0.1;
     Grenade grenade(arena.world(), rules, 0, {0, 0.075 * std::sqrt(1 + 0.0016), 0}, {2, 0, 1});
     double stopped = 0;
-    for (int tick = 1; tick <= 600 && !stopped; ++tick) {
+    for (int tick = 1; tick <= 600 && stopped == 0; ++tick) {
         grenade.advance(arena.world(), tick / 60.0);
         if (grenade.motion() == Motion::resting) stopped = tick / 60.0;
     }
@@ -111,7 +111,7 @@ TEST(GrenadeRoll, FallsOffATable) {
             ASSERT_GE(gap(arena.world(), grenade), -2e-7);
             ASSERT_GE(grenade.position().x, before.x - 1e-9) << "back onto the table";
             before = grenade.position();
-            if (!landed && !grenade.bounces().empty()) landed = grenade.position().x;
+            if (landed == 0 && !grenade.bounces().empty()) landed = grenade.position().x;
         }
         EXPECT_LT(highest, 1.075 + 2e-6);
         EXPECT_LT(grenade.position().y, 0.5);

@@ -45,7 +45,7 @@ void expect_refusal(const std::vector<uint8_t>& bytes, const char* part) {
 
 TEST(Replay, ComesBackFromItsFile) {
     const std::string path = testing::TempDir() + "/peregrine_replay_test";
-    for (const size_t ticks : {0, 1, 1000}) {
+    for (const size_t ticks : {0u, 1u, 1000u}) {
         const Replay replay = some_replay(ticks);
         EXPECT_EQ(decode_replay(encode_replay(replay)), replay);
         save_replay(replay, path);

@@ -38,7 +38,7 @@ TEST(RecyclingMemory, HoldsWhatWasAskedFor) {
     {
         RecyclingMemory memory(&beneath);
         for (size_t size = 0; size < 3'000'000; size += size / 7 + 1)
-            for (const size_t alignment : {1, 16, 64, 256}) {
+            for (const size_t alignment : {1u, 16u, 64u, 256u}) {
                 const size_t before = beneath.bytes;
                 void* const block = memory.allocate(size, alignment);
                 EXPECT_EQ(reinterpret_cast<uintptr_t>(block) % alignment, 0u);
