@@ -68,6 +68,13 @@ void require_finite(std::span<const double> values, const char* field) {
     require_finite_span(values, field);
 }
 
+void require_position(const double (&position)[3], const char* field) {
+    for (int k = 0; k < 3; ++k)
+        if (!(std::fabs(position[k]) <= kFarthest))
+            fail(Code::invalid_argument, "%s[%d] is %g; it must be at most 1e30 in magnitude",
+                 field, k, position[k]);
+}
+
 void require_positive(float value, const char* field) {
     if (!(value > 0) || !std::isfinite(value))
         fail(Code::invalid_argument, "%s is %g; it must be above 0 and finite", field,

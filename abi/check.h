@@ -18,6 +18,9 @@ void require_extent(uint32_t value, uint32_t largest, const char* field); // 1 t
 void require_finite(float value, const char* field);
 void require_finite(std::span<const float> values, const char* field);
 void require_finite(std::span<const double> values, const char* field);
+// A point: each coordinate at most kFarthest in magnitude.
+inline constexpr double kFarthest = 1e30;
+void require_position(const double (&position)[3], const char* field);
 void require_positive(float value, const char* field);                    // > 0, finite
 void require_colour(std::span<const float> values, const char* field);    // >= 0, finite
 void require_direction(std::span<const float> values, const char* field); // finite, not zero

@@ -13,7 +13,6 @@ namespace {
 
 constexpr uint32_t kLargestFrame = 16384;
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kFarthest = 1e30; // as rays
 constexpr double kParallel = 1e-6; // sine of the angle between forward and up
 
 static_assert(RT_FORMAT_RGBA8_SRGB == int(render::PixelFormat::rgba8_srgb));
@@ -32,11 +31,7 @@ render::Camera to_camera(const rt_camera& in) {
         base::fail(base::Code::invalid_argument,
                    "rt_camera.vertical_fov is %g; it must be between 0 and pi",
                    double(in.vertical_fov));
-    for (int i = 0; i < 3; ++i)
-        if (!(std::fabs(in.position[i]) <= kFarthest))
-            base::fail(base::Code::invalid_argument,
-                       "rt_camera.position[%d] is %g; it must be at most 1e30 in magnitude", i,
-                       in.position[i]);
+    require_position(in.position, "rt_camera.position");
     require_direction(in.forward, "rt_camera.forward");
     require_direction(in.up, "rt_camera.up");
     if (glm::length(glm::cross(to_unit(in.forward), to_unit(in.up))) < kParallel)

@@ -5,24 +5,11 @@
 #include "read_struct.h"
 
 namespace peregrine::abi {
-namespace {
-
-constexpr double kFarthest = 1e30; // as rays
-
-void check_origin(const double (&origin)[3]) {
-    for (int k = 0; k < 3; ++k)
-        if (!(std::fabs(origin[k]) <= kFarthest))
-            base::fail(base::Code::invalid_argument,
-                       "rt_query_options.origin[%d] is %g; it must be at most 1e30 in magnitude", k,
-                       origin[k]);
-}
-
-} // namespace
 
 QueryOptions::QueryOptions(const rt_query_options* options)
     : fields_(options ? read_struct(options) : rt_default_query_options()), stats_(fields_.stats) {
     require_zero(fields_.reserved, "rt_query_options.reserved");
-    check_origin(fields_.origin);
+    require_position(fields_.origin, "rt_query_options.origin");
     if (fields_.ignore_count == 0) return;
     require_pointer(fields_.ignore_meshes, "rt_query_options.ignore_meshes");
     require_addressable(fields_.ignore_meshes, fields_.ignore_count, sizeof(rt_mesh),

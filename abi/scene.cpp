@@ -4,8 +4,6 @@
 #include "read_struct.h"
 #include "scene_table.h"
 
-#include <cmath>
-
 namespace peregrine::abi {
 namespace {
 
@@ -80,11 +78,9 @@ rt_result rt_set_world_origin(rt_scene scene, const double* origin) noexcept {
     return guard([&] {
         HostScene& host = find_scene(scene);
         require_pointer(origin, "origin");
-        for (int k = 0; k < 3; ++k)
-            if (!(std::fabs(origin[k]) <= 1e30))
-                base::fail(base::Code::invalid_argument,
-                           "origin[%d] is %g; it must be at most 1e30 in magnitude", k, origin[k]);
-        host.scene.set_origin({origin[0], origin[1], origin[2]});
+        const double point[3] = {origin[0], origin[1], origin[2]};
+        require_position(point, "origin");
+        host.scene.set_origin({point[0], point[1], point[2]});
     });
 }
 

@@ -15,10 +15,11 @@ namespace {
 class Asked {
 public:
     template <class Desc>
-    Asked(HostScene& host, const Desc& desc, uint32_t known_flags, const char* flags_field)
+    Asked(HostScene& host, const Desc& desc, uint32_t known_flags, const char* flags_field,
+          const char* faces_field)
         : options_(desc.options), pin_(pin_snapshot(host.scene.snapshots, options_.snapshot())) {
         require_bits(desc.flags, known_flags, flags_field);
-        require_enum(desc.faces, RT_FACES_BACK, "faces");
+        require_enum(desc.faces, RT_FACES_BACK, faces_field);
         query::Selection& selection = request_.selection;
         selection.faces = trace::Faces(desc.faces);
         selection.layer_mask = desc.layer_mask;
@@ -47,7 +48,8 @@ private:
 };
 
 void sweep(HostScene& host, const rt_sweep_desc& desc) {
-    Asked asked(host, desc, RT_QUERY_USE_THREADS | RT_QUERY_SKIP_SEPARATING, "rt_sweep_desc.flags");
+    Asked asked(host, desc, RT_QUERY_USE_THREADS | RT_QUERY_SKIP_SEPARATING, "rt_sweep_desc.flags",
+                "rt_sweep_desc.faces");
     if (desc.sweep_count > 0) {
         const auto sweeps =
             strided<query::Sweep>(desc.sweeps, desc.sweep_count, desc.sweep_stride,
@@ -83,23 +85,30 @@ void check_results(const rt_overlap_desc& desc) {
 }
 
 void overlap(HostScene& host, const rt_overlap_desc& desc) {
-    Asked asked(host, desc, RT_QUERY_USE_THREADS, "rt_overlap_desc.flags");
+    Asked asked(host, desc, RT_QUERY_USE_THREADS, "rt_overlap_desc.flags", "rt_overlap_desc.faces");
     if (desc.shape_count > 0) {
         check_results(desc);
         const auto shapes =
             strided<query::Shape>(desc.shapes, desc.shape_count, desc.shape_stride,
                                   "rt_overlap_desc.shapes", "rt_overlap_desc.shape_stride");
-        if (desc.overlap_counts) asked.run(query::overlap_all, shapes, to_lists(desc));
+        query::Strided<uint8_t> overlapping{};
         if (desc.overlapping)
-            asked.run(query::overlap_any, shapes,
-                      strided<uint8_t>(desc.overlapping, desc.shape_count, 0,
-                                       "rt_overlap_desc.overlapping", ""));
+            overlapping = strided<uint8_t>(desc.overlapping, desc.shape_count, 0,
+                                           "rt_overlap_desc.overlapping", "");
+        if (desc.overlap_counts) {
+            const query::OverlapLists lists = to_lists(desc);
+            asked.run(query::overlap_all, shapes, lists);
+            for (uint64_t i = 0; i < overlapping.count; ++i)
+                overlapping.store(i, lists.counts.load(i) != 0);
+        } else {
+            asked.run(query::overlap_any, shapes, overlapping);
+        }
     }
     asked.write_stats();
 }
 
 void nearest(HostScene& host, const rt_nearest_desc& desc) {
-    Asked asked(host, desc, RT_QUERY_USE_THREADS, "rt_nearest_desc.flags");
+    Asked asked(host, desc, RT_QUERY_USE_THREADS, "rt_nearest_desc.flags", "rt_nearest_desc.faces");
     if (desc.point_count > 0) {
         const auto points =
             strided<query::Point>(desc.points, desc.point_count, desc.point_stride,

@@ -86,10 +86,25 @@ std::optional<RayHit> World::closest(const Vec3& from, const Vec3& motion, const
                   hit.triangle};
 }
 
+void World::any(const Vec3& origin, std::span<const rt_ray> rays, const Mask& mask,
+                std::span<uint8_t> occluded) const {
+    const rt_query_options asked = options(origin, mask);
+    rt_query_desc desc = rt_default_query_desc();
+    desc.kind = RT_QUERY_ANY;
+    desc.rays = rays.data();
+    desc.ray_count = rays.size();
+    desc.occluded = occluded.data();
+    desc.layer_mask = mask.layers;
+    desc.options = &asked;
+    require(*api_, api_->trace_query(scene_, &desc));
+}
+
 bool World::is_free(const Vec3& from, const Vec3& to, const Mask& mask) const {
-    uint8_t clear = 0;
-    lines_of_sight(from, {&from, 1}, {&to, 1}, mask, {&clear, 1});
-    return clear != 0;
+    const rt_ray ray = segment(to - from);
+    if (load(ray.direction) == Vec3(0)) return true;
+    uint8_t occluded = 0;
+    any(from, {&ray, 1}, mask, {&occluded, 1});
+    return !occluded;
 }
 
 bool World::overlaps(const Capsule& shape, const Mask& mask) const {
@@ -140,15 +155,7 @@ void World::lines_of_sight(const Vec3& origin, std::span<const Vec3> from, std::
         places.push_back(i);
     }
     std::vector<uint8_t> occluded(rays.size());
-    const rt_query_options asked = options(origin, mask);
-    rt_query_desc desc = rt_default_query_desc();
-    desc.kind = RT_QUERY_ANY;
-    desc.rays = rays.data();
-    desc.ray_count = rays.size();
-    desc.occluded = occluded.data();
-    desc.layer_mask = mask.layers;
-    desc.options = &asked;
-    require(*api_, api_->trace_query(scene_, &desc));
+    any(origin, rays, mask, occluded);
     for (size_t k = 0; k < places.size(); ++k) clear[places[k]] = !occluded[k];
 }
 

@@ -74,6 +74,10 @@ public:
                         const Mask& mask, std::span<uint8_t> clear) const;
 
 private:
+    // occluded[i]: whether anything lies on ray i, which is relative to `origin`.
+    void any(const Vec3& origin, std::span<const rt_ray> rays, const Mask& mask,
+             std::span<uint8_t> occluded) const;
+
     const rt_api* api_;
     rt_scene scene_;
 };

@@ -44,13 +44,15 @@ public:
             watch_.context = this;
         }
         if (request.counters) watch_.counters = &counters_;
-        is_needed_ = accept_ || request.counters;
     }
     Witness(const Witness&) = delete;
     Witness& operator=(const Witness&) = delete;
 
     void begin_shape(uint64_t index) { index_ = index; }
-    const trace::Watch* watch() const { return is_needed_ ? &watch_ : nullptr; }
+    // Null: nothing.
+    const trace::Watch* watch() const {
+        return watch_.accepts || watch_.counters ? &watch_ : nullptr;
+    }
     const trace::Counters& counters() const { return counters_; }
 
 private:
@@ -65,7 +67,6 @@ private:
     trace::Watch watch_;
     trace::Counters counters_;
     uint64_t index_ = 0;
-    bool is_needed_;
 };
 
 struct Prepared {

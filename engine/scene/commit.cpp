@@ -109,7 +109,7 @@ void Commit::place_instances() {
         const bool is_rigid = mesh.kind == MeshKind::rigid;
         const Placement* const placement = snapshot_.placement_of(snapshot_.meshes[i]);
         snapshot_.instances.push_back(
-            {mesh.placement.to_local, part_of(*shape, first), i, mesh.layer_mask, alpha, is_rigid,
+            {mesh.placement.to_local, part_of(*shape, first), i, mesh.layer_mask, alpha,
              is_rigid ? &placement->to_world : nullptr, is_rigid && placement->mirrored});
         rigid_count_ += is_rigid;
         first += shape->infos.size();

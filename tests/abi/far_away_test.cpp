@@ -1,4 +1,5 @@
 // A level that lies far away gives the answers of one at (0, 0, 0), bit for bit.
+#include "ask.h"
 #include "bad_input.h"
 
 namespace peregrine::test {
@@ -38,47 +39,21 @@ Bytes answers_at(const double (&origin)[3]) {
     std::memcpy(options.origin, origin, sizeof origin);
     for (int i = 0; i < 40; ++i) {
         const float x = -1.0f + 0.13f * float(i), z = 0.7f - 0.03f * float(i);
+        rt_surface surface{};
         const rt_ray ray = {{x, 3, z}, 0, {0.01f, -1, 0.02f}, kInfinity};
-        rt_hit hit;
-        rt_surface surface;
-        rt_query_desc query = rt_default_query_desc();
-        query.rays = &ray;
-        query.ray_count = 1;
-        query.hits = &hit;
-        query.surfaces = &surface;
-        query.surface_fields = RT_SURFACE_ALL;
-        query.options = &options;
-        EXPECT_OK(rt_trace_query(scene, &query));
-        note(&hit, sizeof hit - 16); // without the mesh's handle, which differs between scenes
+        const rt_hit hit = trace_one(scene, ray, &options, &surface);
+        note(&hit, offsetof(rt_hit, mesh)); // handles differ between scenes
         for (int k = 0; k < 3; ++k)
             if (hit.triangle != RT_NO_TRIANGLE) surface.position[k] -= origin[k];
+        note(&surface, offsetof(rt_surface, geometric_normal));
         const rt_sweep sweep = {{x, 3, z}, 0.3f, {0.1f, 0, 0.2f}, 10, {0.01f, -1, 0.02f}, 0};
-        rt_sweep_hit contact;
-        rt_sweep_desc sweeps = rt_default_sweep_desc();
-        sweeps.sweeps = &sweep;
-        sweeps.sweep_count = 1;
-        sweeps.hits = &contact;
-        sweeps.options = &options;
-        EXPECT_OK(rt_sweep_shapes(scene, &sweeps));
+        const rt_sweep_hit contact = sweep_one(scene, sweep, &options);
         note(&contact, offsetof(rt_sweep_hit, mesh));
-        const rt_point point = {{x, 0.5f, z}, 2};
-        rt_nearest nearest;
-        rt_nearest_desc points = rt_default_nearest_desc();
-        points.points = &point;
-        points.point_count = 1;
-        points.results = &nearest;
-        points.options = &options;
-        EXPECT_OK(rt_find_nearest(scene, &points));
+        const rt_nearest nearest = nearest_one(scene, {{x, 0.5f, z}, 2}, &options);
         note(&nearest, offsetof(rt_nearest, mesh));
         const rt_shape shape = {{x, 0.2f, z}, 0.25f, {0, 0, 0}, RT_SHAPE_SPHERE, {0, 0, 0, 0}};
-        uint8_t overlapping;
-        rt_overlap_desc shapes = rt_default_overlap_desc();
-        shapes.shapes = &shape;
-        shapes.shape_count = 1;
-        shapes.overlapping = &overlapping;
-        shapes.options = &options;
-        EXPECT_OK(rt_overlap_shapes(scene, &shapes));
-        note(&overlapping, 1);
+        const bool touches = overlaps_one(scene, shape, &options);
+        note(&touches, sizeof touches);
     }
     rt_camera camera = rt_default_camera();
     for (int k = 0; k < 3; ++k) camera.position[k] = origin[k] + (k == 0 ? 1.0 : 2.5);
@@ -103,17 +78,10 @@ TEST(FarAway, SingleRaysNeedNoOptions) {
     WorldGuard world;
     const double origin[3] = {100, 0, 0};
     const rt_ray ray = {{100.5f, 50, 0.25f}, 0, {0, -1, 0}, kInfinity};
-    rt_hit hit;
-    rt_query_desc query = rt_default_query_desc();
-    query.rays = &ray;
-    query.ray_count = 1;
-    query.hits = &hit;
-    ASSERT_OK(rt_trace_query(world->scene, &query));
-    EXPECT_EQ(hit.triangle, RT_NO_TRIANGLE);
+    EXPECT_EQ(trace_one(world->scene, ray).triangle, RT_NO_TRIANGLE);
     ASSERT_OK(rt_set_world_origin(world->scene, origin));
     ASSERT_OK(rt_commit_scene(world->scene, nullptr, nullptr));
-    ASSERT_OK(rt_trace_query(world->scene, &query));
-    EXPECT_NE(hit.triangle, RT_NO_TRIANGLE);
+    EXPECT_NE(trace_one(world->scene, ray).triangle, RT_NO_TRIANGLE);
 }
 
 class BadOrigin : public BadInput {};

@@ -1,4 +1,5 @@
 // What few queries ask for: all crossings, callbacks, lists of meshes, surfaces, counters, threads.
+#include "ask.h"
 #include "bad_input.h"
 
 namespace peregrine::test {
@@ -124,13 +125,7 @@ TEST_F(Boxes, TheHostDecidesAboutShapesToo) {
     rt_query_stats stats = rt_default_query_stats();
     options.stats = &stats;
     const rt_sweep sweep = {{-5, 0, 0}, 0.5f, {0, 0, 0}, 100, {1, 0, 0}, 0};
-    rt_sweep_hit contact;
-    rt_sweep_desc sweeps = rt_default_sweep_desc();
-    sweeps.sweeps = &sweep;
-    sweeps.sweep_count = 1;
-    sweeps.hits = &contact;
-    sweeps.options = &options;
-    ASSERT_OK(rt_sweep_shapes(scene, &sweeps));
+    const rt_sweep_hit contact = sweep_one(scene, sweep, &options);
     EXPECT_EQ(contact.mesh.index, boxes[2].index);
     EXPECT_EQ(contact.t, 23.5f);
     EXPECT_GT(stats.triangles, 0u);
@@ -138,29 +133,36 @@ TEST_F(Boxes, TheHostDecidesAboutShapesToo) {
     EXPECT_EQ(stats.instances, 3u);
 
     const rt_shape shape = {{10, 0, 0}, 1.5f, {0, 0, 0}, RT_SHAPE_SPHERE, {0, 0, 0, 0}};
-    uint8_t overlapping = 7;
-    rt_overlap_desc shapes = rt_default_overlap_desc();
-    shapes.shapes = &shape;
-    shapes.shape_count = 1;
-    shapes.overlapping = &overlapping;
-    shapes.options = &options;
-    ASSERT_OK(rt_overlap_shapes(scene, &shapes));
-    EXPECT_EQ(overlapping, 0);
+    EXPECT_FALSE(overlaps_one(scene, shape, &options));
     judge.mesh = boxes[1];
-    ASSERT_OK(rt_overlap_shapes(scene, &shapes));
-    EXPECT_EQ(overlapping, 1);
+    EXPECT_TRUE(overlaps_one(scene, shape, &options));
 
-    const rt_point point = {{9, 0, 3}, 20};
-    rt_nearest nearest;
-    rt_nearest_desc points = rt_default_nearest_desc();
-    points.points = &point;
-    points.point_count = 1;
-    points.results = &nearest;
-    points.options = &options;
     judge.mesh = boxes[0];
-    ASSERT_OK(rt_find_nearest(scene, &points));
-    EXPECT_EQ(nearest.mesh.index, boxes[0].index);
+    EXPECT_EQ(nearest_one(scene, {{9, 0, 3}, 20}, &options).mesh.index, boxes[0].index);
     EXPECT_GT(stats.triangles, 0u);
+}
+
+// Asked for both, the flag says what the count says.
+TEST_F(Boxes, OverlapsAreFlaggedCountedAndListed) {
+    const rt_shape shapes[2] = {{{0, 0, 1}, 0.25f, {0, 0, 0}, RT_SHAPE_SPHERE, {0, 0, 0, 0}},
+                                {{5, 0, 0}, 0.25f, {0, 0, 0}, RT_SHAPE_SPHERE, {0, 0, 0, 0}}};
+    uint8_t overlapping[2] = {7, 7};
+    uint32_t counts[2] = {7, 7};
+    rt_overlap overlaps[2] = {};
+    rt_overlap_desc desc = rt_default_overlap_desc();
+    desc.shapes = shapes;
+    desc.shape_count = 2;
+    desc.overlapping = overlapping;
+    desc.overlap_counts = counts;
+    desc.overlaps = overlaps;
+    desc.max_overlaps = 1;
+    ASSERT_OK(rt_overlap_shapes(scene, &desc));
+    EXPECT_EQ(counts[0], 2u); // the two triangles of a side
+    EXPECT_EQ(counts[1], 0u);
+    EXPECT_EQ(overlapping[0], 1);
+    EXPECT_EQ(overlapping[1], 0);
+    EXPECT_EQ(overlaps[0].mesh.index, boxes[0].index);
+    EXPECT_EQ(overlaps[0].triangle, 2u);
 }
 
 TEST_F(Boxes, SurfacesComeWithTheHits) {

@@ -1,4 +1,5 @@
 // Meshes that move as a whole: what is refused, and what moving means.
+#include "ask.h"
 #include "bad_input.h"
 
 namespace peregrine::test {
@@ -25,13 +26,7 @@ rt_transform moved(double x, double y, double z) {
 
 rt_hit look_down(rt_scene scene, float x, float z) {
     const rt_ray ray = {{x, 50, z}, 0, {0, -1, 0}, kInfinity};
-    rt_hit hit{};
-    rt_query_desc query = rt_default_query_desc();
-    query.rays = &ray;
-    query.ray_count = 1;
-    query.hits = &hit;
-    EXPECT_OK(rt_trace_query(scene, &query));
-    return hit;
+    return trace_one(scene, ray);
 }
 
 class BadRigidMesh : public BadInput {

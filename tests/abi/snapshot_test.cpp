@@ -1,4 +1,5 @@
 // Snapshots that the host holds, and worlds that lie far away.
+#include "ask.h"
 #include "bad_input.h"
 
 #include <array>
@@ -19,14 +20,7 @@ rt_query_options options_of(rt_snapshot snapshot) {
 // What a ray from above hits: the lift, at `height`, or the ground below it.
 rt_hit look_down(rt_scene scene, const rt_query_options* options) {
     const rt_ray ray = {{0.5f, 50, 0.25f}, 0, {0, -1, 0}, kInfinity};
-    rt_hit hit{};
-    rt_query_desc query = rt_default_query_desc();
-    query.rays = &ray;
-    query.ray_count = 1;
-    query.hits = &hit;
-    query.options = options;
-    EXPECT_OK(rt_trace_query(scene, &query));
-    return hit;
+    return trace_one(scene, ray, options);
 }
 
 Bytes render_held(rt_scene scene, rt_snapshot snapshot) {

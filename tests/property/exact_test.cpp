@@ -1,4 +1,5 @@
 // Promise 1: every kernel gives the bits of brute force.
+#include "support/adversaries.h"
 #include "support/brute_force.h"
 #include "support/world.h"
 
@@ -305,46 +306,16 @@ TEST(Adversary, MixedScales) {
     expect_exact(triangles);
 }
 
-//   +--+--+--+   Every vertex, edge and face lies on a lattice, so splits fall on faces, rays run
-//   |\ |\ |\ |   inside planes, and hits tie on shared edges.
-//   | \| \| \|
-//   +--+--+--+
 TEST(Adversary, Lattice) {
-    TriangleList list;
-    for (int axis = 0; axis < 3; ++axis)
-        for (int layer = 0; layer < 4; ++layer)
-            for (int i = 0; i < 4; ++i)
-                for (int j = 0; j < 4; ++j) {
-                    const auto at = [&](int a, int b) {
-                        Vec3 p;
-                        p[axis] = float(layer);
-                        p[(axis + 1) % 3] = float(a);
-                        p[(axis + 2) % 3] = float(b);
-                        return p;
-                    };
-                    list.add(at(i, j), at(i + 1, j), at(i, j + 1));
-                    list.add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-                }
-    expect_exact(list.triangles, 4000);
+    expect_exact(lattice(), 4000);
 }
 
 TEST(Adversary, CoincidentTriangles) {
-    TriangleList list;
-    for (int i = 0; i < 500; ++i) list.add({0, 0, 0}, {1, 0, float(i % 3)}, {0, 1, float(i % 5)});
-    expect_exact(list.triangles, 500);
+    expect_exact(coincident(500), 500);
 }
 
-// Needles: 1e7 times as long as wide, through each other at one place.
 TEST(Adversary, Needles) {
-    std::mt19937 random(8);
-    std::uniform_real_distribution<float> unit(-1, 1);
-    TriangleList list;
-    for (int i = 0; i < 500; ++i) {
-        const Vec3 d(unit(random), unit(random), unit(random));
-        list.add(-1000.0f * d, 1000.0f * d,
-                 1000.0f * d + 1e-4f * Vec3(unit(random), unit(random), unit(random)));
-    }
-    expect_exact(list.triangles);
+    expect_exact(needles(500));
 }
 
 // Sizes in a geometric series towards one corner, which asks for a deep tree.

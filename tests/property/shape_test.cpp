@@ -7,8 +7,7 @@
 //     PEREGRINE_RAYS=500000 build/release/bin/shape_test --gtest_filter='Files/*'
 #include "query/shapes.h"
 #include "shape_world.h"
-
-#include "base/error.h"
+#include "support/adversaries.h"
 
 #include <gtest/gtest.h>
 
@@ -32,15 +31,6 @@ constexpr Way kWays[] = {{base::Isa::scalar, trace::Structure::bvh, "bvh, scalar
                          {base::Isa::neon, trace::Structure::bvh, "bvh, neon"},
                          {base::Isa::best, trace::Structure::kdtree, "kdtree"},
                          {base::Isa::best, trace::Structure::bih, "bih"}};
-
-template <class Record>
-query::Strided<Record> strided(std::vector<Record>& records) {
-    return {reinterpret_cast<std::byte*>(records.data()), records.size(), sizeof(Record)};
-}
-template <class Record>
-query::Placed<Record> placed(std::vector<Record>& records) {
-    return {strided(records)};
-}
 
 template <class Record>
 bool same(const Record& a, const Record& b) {
@@ -178,7 +168,7 @@ void rename(Expected& expected, const ShapeWorld& world) {
         if (!same(hit, kUntouched)) rename_mesh(hit.mesh);
 }
 
-std::vector<geometry::Triangle> placed(const std::vector<MeshToAdd>& meshes) {
+std::vector<geometry::Triangle> in_the_world(const std::vector<MeshToAdd>& meshes) {
     std::vector<geometry::Triangle> all;
     for (const MeshToAdd& mesh : meshes)
         for (geometry::Triangle triangle : mesh.triangles) {
@@ -191,7 +181,7 @@ std::vector<geometry::Triangle> placed(const std::vector<MeshToAdd>& meshes) {
 
 void compare_all(const std::vector<MeshToAdd>& meshes, size_t count,
                  const std::vector<Choice>& choices = {{}}) {
-    Asked asked = make_cases(placed(meshes), count, 21);
+    Asked asked = make_cases(in_the_world(meshes), count, 21);
     std::vector<Expected> expected(choices.size());
     for (const Way& way : kWays) {
         if (!base::machine_has(way.isa)) continue;
@@ -267,45 +257,16 @@ TEST(ShapeAdversary, MixedScales) {
     expect_exact(triangles);
 }
 
-//   +--+--+--+   Many triangles at the same distance: the smallest must win, by any way.
-//   |\ |\ |\ |
-//   | \| \| \|
-//   +--+--+--+
 TEST(ShapeAdversary, Lattice) {
-    TriangleList list;
-    for (int axis = 0; axis < 3; ++axis)
-        for (int layer = 0; layer < 4; ++layer)
-            for (int i = 0; i < 4; ++i)
-                for (int j = 0; j < 4; ++j) {
-                    const auto at = [&](int a, int b) {
-                        Vec3 p;
-                        p[axis] = float(layer);
-                        p[(axis + 1) % 3] = float(a);
-                        p[(axis + 2) % 3] = float(b);
-                        return p;
-                    };
-                    list.add(at(i, j), at(i + 1, j), at(i, j + 1));
-                    list.add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-                }
-    expect_exact(list.triangles);
+    expect_exact(lattice());
 }
 
 TEST(ShapeAdversary, CoincidentTriangles) {
-    TriangleList list;
-    for (int i = 0; i < 2500; ++i) list.add({0, 0, 0}, {1, 0, float(i % 3)}, {0, 1, float(i % 5)});
-    expect_exact(list.triangles, 20);
+    expect_exact(coincident(2500), 20);
 }
 
 TEST(ShapeAdversary, Needles) {
-    std::mt19937 random(8);
-    std::uniform_real_distribution<float> unit(-1, 1);
-    TriangleList list;
-    for (int i = 0; i < 300; ++i) {
-        const Vec3 d(unit(random), unit(random), unit(random));
-        list.add(-1000.0f * d, 1000.0f * d,
-                 1000.0f * d + 1e-4f * Vec3(unit(random), unit(random), unit(random)));
-    }
-    expect_exact(list.triangles);
+    expect_exact(needles(300));
 }
 
 // ------------------------------------------------------------------------ worlds that move,
@@ -356,112 +317,6 @@ TEST(ShapeWorlds, Choices) {
             choices.push_back({selection, skips ? 1 : 0});
         }
     compare_all(moving_world(50, 1), rays_per_set(60), choices);
-}
-
-// --------------------------------------------------------------------------------- what is refused
-
-class BadShapes : public testing::Test {
-protected:
-    void SetUp() override {
-        world_.add(soup(1, 10, 0.5f), MeshKind::fixed);
-        world_.commit();
-    }
-
-    template <class Call>
-    void expect_refused(Call&& call, const std::string& words) {
-        try {
-            call();
-            FAIL() << "not refused: " << words;
-        } catch (const base::Error& error) {
-            EXPECT_EQ(error.code, base::Code::invalid_argument);
-            EXPECT_EQ(std::string(error.text).substr(0, words.size()), words);
-        }
-    }
-
-    // The third of three records is bad; nothing is written for the first two.
-    void refuse(const query::Sweep& bad, const std::string& words) {
-        std::vector<query::Sweep> sweeps(3, kGood);
-        sweeps[2] = bad;
-        std::vector<query::SweepHit> hits(3);
-        std::memset(static_cast<void*>(hits.data()), 0x5a, sizeof(query::SweepHit) * 3);
-        const std::vector<query::SweepHit> before = hits;
-        expect_refused([&] { query::sweep(world_.snapshot(), placed(sweeps), {}, strided(hits)); },
-                       "sweep 2: " + words);
-        EXPECT_EQ(std::memcmp(before.data(), hits.data(), sizeof(query::SweepHit) * 3), 0);
-    }
-    void refuse(const query::Shape& bad, const std::string& words) {
-        std::vector<query::Shape> shapes{bad};
-        std::vector<uint8_t> overlaps{9};
-        expect_refused(
-            [&] { query::overlap_any(world_.snapshot(), placed(shapes), {}, strided(overlaps)); },
-            "shape 0: " + words);
-        EXPECT_EQ(overlaps[0], 9);
-    }
-
-    static constexpr query::Sweep kGood = {Vec3(0), 1, Vec3(0), 1, Vec3(1), 0};
-    ShapeWorld world_{base::Isa::best, trace::Structure::bvh};
-};
-
-constexpr float kBad[] = {std::numeric_limits<float>::quiet_NaN(),
-                          std::numeric_limits<float>::infinity(), -1.1e30f};
-
-TEST_F(BadShapes, Sweeps) {
-    for (const float bad : kBad) {
-        query::Sweep sweep = kGood;
-        sweep.center.y = bad;
-        refuse(sweep, "center y is ");
-        sweep = kGood;
-        sweep.axis.z = bad;
-        refuse(sweep, "axis z is ");
-        sweep = kGood;
-        sweep.direction.x = bad;
-        refuse(sweep, "direction x is ");
-        sweep = kGood;
-        sweep.radius = bad;
-        refuse(sweep, "radius is ");
-    }
-    query::Sweep sweep = kGood;
-    sweep.radius = -1e-9f;
-    refuse(sweep, "radius is -1e-09; it must not be negative");
-    sweep = kGood;
-    sweep.direction = Vec3(0);
-    refuse(sweep, "the direction is zero");
-    sweep = kGood;
-    sweep.t_max = kBad[0];
-    refuse(sweep, "t_max is NaN");
-    sweep.t_max = -1;
-    refuse(sweep, "t_max is negative");
-    sweep = kGood;
-    sweep.reserved = 1;
-    refuse(sweep, "reserved must be 0");
-}
-
-TEST_F(BadShapes, ShapesAndPoints) {
-    for (const float bad : kBad) {
-        query::Shape shape{Vec3(0), 1, Vec3(0), 0, {}};
-        shape.center.x = bad;
-        refuse(shape, "center x is ");
-        shape = {Vec3(0), bad, Vec3(0), 0, {}};
-        refuse(shape, "radius is ");
-        shape = {Vec3(0), 1, {0, bad, 0}, 1, {}};
-        refuse(shape, "extent y is ");
-        shape = {Vec3(0), 0, {0, 0, bad}, 2, {0, 0, 0, 1}};
-        refuse(shape, "extent z is ");
-        shape = {Vec3(0), 0, Vec3(1), 2, {0, bad, 0, 1}};
-        refuse(shape, "rotation y is ");
-        std::vector<query::Point> points{{{0, 0, bad}, 1}};
-        std::vector<query::NearestPoint> nearest(1);
-        const auto ask = [&] {
-            query::nearest(world_.snapshot(), placed(points), {}, strided(nearest));
-        };
-        expect_refused(ask, "point 0: position z is ");
-        points[0] = {Vec3(0), bad};
-        expect_refused(ask, "point 0: radius is ");
-    }
-    refuse(query::Shape{Vec3(0), 0, {1, -1, 1}, 2, {0, 0, 0, 1}},
-           "extent y is -1; it must not be negative");
-    refuse(query::Shape{Vec3(0), 0, Vec3(1), 2, {}}, "the rotation is zero");
-    refuse(query::Shape{Vec3(0), 0, Vec3(1), 3, {}}, "kind is unknown");
 }
 
 // More than the buffer of a pass holds.

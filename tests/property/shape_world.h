@@ -12,6 +12,16 @@
 // the canonical tests.
 namespace peregrine::test {
 
+// Records of a test as the queries take them.
+template <class Record>
+query::Strided<Record> strided(std::vector<Record>& records) {
+    return {reinterpret_cast<std::byte*>(records.data()), records.size(), sizeof(Record)};
+}
+template <class Record>
+query::Placed<Record> placed(std::vector<Record>& records) {
+    return {strided(records)};
+}
+
 struct ShapeMesh {
     base::Handle handle;
     std::vector<geometry::Triangle> triangles; // in its own space, for rigid ones

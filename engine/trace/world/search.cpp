@@ -81,12 +81,12 @@ void Search::visit_parts(const math::Ray& ray, Visitor::Wants wants, Hits& hits)
     };
     if (visit(world_.fixed, left, filter_, nullptr)) return;
     if (!world_.nodes) return;
-    const Gate gate(ray);
+    const RayGate gate(ray);
     const double entry = gate.enter(world_.nodes[0].extent, double(left.t_max));
     visit_instances(world_, gate, entry, left.t_max, [&](const Instance& instance) {
         math::Ray local;
         if (!sees(filter_, instance) || !within(instance, left, local)) return false;
-        counters_.instances += instance.has_own_space;
+        counters_.instances += instance.has_own_space();
         return visit(instance.part, local, filter_within(filter_, instance), &instance);
     });
 }

@@ -2,11 +2,10 @@
 
 #include "trace/shapes/volume.h"
 #include "trace/world/merge.h"
+#include "trace/world/visit_instances.h"
 
 namespace peregrine::trace {
 namespace {
-
-using accel::instances::Node;
 
 constexpr Place kWhereItIs;
 
@@ -17,7 +16,7 @@ const ShapeKernels& kernels(const Part& part, const Query& query) {
 }
 
 Place place_of(const Instance& instance) {
-    if (instance.has_own_space) return {instance.to_world, instance.mirrored, instance.mesh};
+    if (instance.has_own_space()) return {instance.to_world, instance.mirrored, instance.mesh};
     return {nullptr, false, instance.mesh};
 }
 
@@ -39,7 +38,7 @@ double longest_image(const math::Affine& map) {
 // the mesh and c = |M| |W|; twice each, so that the corner of a cube of slack is within a ball of
 // it.
 Volume to_local(const Instance& instance, const Volume& volume) {
-    if (!instance.has_own_space) return volume;
+    if (!instance.has_own_space()) return volume;
     const math::Affine& map = instance.to_local;
     Volume local;
     local.origin = map.point(volume.origin);
@@ -65,12 +64,13 @@ Volume to_local(const Instance& instance, const Volume& volume) {
 }
 
 // A volume as the nodes over instances see it.
-class Gate {
+class VolumeGate {
 public:
-    Gate(const Volume& volume, double reach) : slabs_(slabs<double>(volume, reach, 0)) {}
+    VolumeGate(const Volume& volume, double reach) : slabs_(slabs<double>(volume, reach, 0)) {}
 
     // Where it may enter; beyond `t_max`: nowhere.
-    double enter(const math::Box& box, double t_max) const {
+    double enter(const accel::instances::Extent& extent, double t_max) const {
+        const math::Box& box = extent.box;
         double t_near = 0, t_far = t_max;
         for (int k = 0; k < 3; ++k) {
             const double a = (double(box.lower[k]) - slabs_.origin[k]) * slabs_.inverse[k];
@@ -78,78 +78,47 @@ public:
             t_near = std::max(t_near, std::min(a, b) - slabs_.margin[k]);
             t_far = std::min(t_far, std::max(a, b) + slabs_.margin[k]);
         }
-        return t_near <= t_far ? t_near : std::numeric_limits<double>::infinity();
+        return t_near <= t_far ? t_near : kNowhere;
     }
 
 private:
     Slabs<double> slabs_;
 };
 
-// Calls visit(instance, its volume) for those that the filter sees and the volume may meet at a t
-// up to `t_max`, which may shrink meanwhile, roughly from front to back, until visit returns true.
+// Calls visit(instance, its volume) for those that the filter sees and the volume may meet; as
+// visit_instances.h has it.
 template <class Visit>
 bool visit_instances(const World& world, const Volume& volume, const Filter& filter,
                      const float& t_max, Visit&& visit) {
-    if (!world.nodes) return false;
-    const Gate gate(volume, reach_of(world.nodes[0].extent.box, volume));
-    struct Entry {
-        uint32_t node;
-        double t;
-    };
-    Entry stack[accel::instances::kMaxDepth];
-    uint32_t height = 0;
-    const auto at_node = [&](uint32_t node) {
-        return Entry{node, gate.enter(world.nodes[node].extent.box, double(t_max))};
-    };
-    Entry at = at_node(0);
-    for (;;) {
-        while (at.t <= double(t_max) && at.t < std::numeric_limits<double>::infinity()) {
-            const Node& node = world.nodes[at.node];
-            if (node.right == 0) {
-                const Instance& instance = world.instances[node.instance];
-                if (sees(filter, instance) && visit(instance, to_local(instance, volume)))
-                    return true;
-                break;
-            }
-            Entry near = at_node(at.node + 1), far = at_node(node.right);
-            if (far.t < near.t) std::swap(near, far);
-            if (far.t < std::numeric_limits<double>::infinity()) stack[height++] = far;
-            at = near;
-        }
-        if (height == 0) return false;
-        at = stack[--height];
-    }
+    const VolumeGate gate(volume, reach_of(world.nodes[0].extent.box, volume));
+    const double entry = gate.enter(world.nodes[0].extent, double(t_max));
+    return visit_instances(world, gate, entry, t_max, [&](const Instance& instance) {
+        return sees(filter, instance) && visit(instance, to_local(instance, volume));
+    });
 }
 
 // The same query for what is seen within an instance.
 template <class Query>
 Query within(const Query& query, const Instance& instance) {
-    if (query.watch && query.watch->counters && instance.has_own_space)
+    if (query.watch && query.watch->counters && instance.has_own_space())
         ++query.watch->counters->instances;
     Query inside = query;
     inside.filter = filter_within(query.filter, instance);
     return inside;
 }
 
-bool is_smaller(const World& world, uint32_t a, uint32_t b) {
-    if (b == geometry::kNoTriangle) return true;
-    const geometry::TriangleInfo x = info(world, a), y = info(world, b);
-    return Touched::key_of(x.mesh, x.primitive) < Touched::key_of(y.mesh, y.primitive);
-}
-
 void take_first(const World& world, FirstHit hit, uint32_t first, FirstHit& best) {
     if (hit.triangle == geometry::kNoTriangle) return;
     hit.triangle += first;
     const int order = hit.compare(best);
-    if (order < 0 || (order == 0 && is_smaller(world, hit.triangle, best.triangle))) best = hit;
+    if (order < 0 || (order == 0 && goes_before(world, hit.t, hit.triangle, best.t, best.triangle)))
+        best = hit;
 }
 
 void take_first(const World& world, NearestHit hit, uint32_t first, NearestHit& best) {
     if (hit.triangle == geometry::kNoTriangle) return;
     hit.triangle += first;
-    if (hit.distance < best.distance
-        || (hit.distance == best.distance && is_smaller(world, hit.triangle, best.triangle)))
-        best = hit;
+    if (goes_before(world, hit.distance, hit.triangle, best.distance, best.triangle)) best = hit;
 }
 
 // What limits the search of the next part: the best so far, without its triangle, so that equals

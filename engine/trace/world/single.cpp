@@ -21,7 +21,7 @@ void take_first(const World& world, Hit hit, uint32_t first, Hit& best) {
 
 Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& filter) {
     // Most rays miss all that moves: they pay for this alone.
-    const Gate gate(ray);
+    const RayGate gate(ray);
     const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
     if (entry == kNowhere) return world.fixed.kernels->closest(world.fixed.target, ray, filter);
     Hit best = world.fixed.kernels->closest(world.fixed.target, ray, filter);
@@ -42,7 +42,7 @@ Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& fil
 
 bool occluded_by_parts(const World& world, const math::Ray& ray, const Filter& filter) {
     if (world.fixed.kernels->occluded(world.fixed.target, ray, filter)) return true;
-    const Gate gate(ray);
+    const RayGate gate(ray);
     const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
     return visit_instances(world, gate, entry, ray.t_max, [&](const Instance& instance) {
         math::Ray local;

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <limits>
 
-// The tree over instances, for one ray.
+// The tree over instances, for one ray or shape.
 namespace peregrine::trace {
 
 // A ray as the nodes over instances see it; in double, where no ray is extreme.
-class Gate {
+class RayGate {
 public:
-    explicit Gate(const math::Ray& ray) : t_min_(double(ray.t_min)) {
+    explicit RayGate(const math::Ray& ray) : t_min_(double(ray.t_min)) {
         const double smallest = 0x1p-26 * double(largest_component(ray.direction));
         for (int k = 0; k < 3; ++k) {
             const double d = double(ray.direction[k]);
@@ -44,9 +44,9 @@ private:
 
 inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-// Calls visit(instance) for those that the ray, which enters at `entry`, may meet before `t_max`,
-// which may shrink meanwhile, roughly from front to back, until visit returns true.
-template <class Visit>
+// Calls visit(instance) for those that what the gate stands for, which enters at `entry`, may meet
+// before `t_max`, which may shrink meanwhile, roughly from front to back, until visit returns true.
+template <class Gate, class Visit>
 bool visit_instances(const World& world, const Gate& gate, double entry, const float& t_max,
                      Visit&& visit) {
     struct Entry {

@@ -23,10 +23,11 @@ struct Instance {
     Part part;
     uint32_t mesh; // slot; takes the place of that in the target's infos
     uint32_t layer_mask;
-    AlphaTest alpha; // of this mesh, for filters that have one
-    bool has_own_space;
+    AlphaTest alpha;                        // of this mesh, for filters that have one
     const math::Affine* to_world = nullptr; // null without a space of its own
     bool mirrored = false;                  // by to_world
+
+    bool has_own_space() const { return to_world != nullptr; }
 };
 
 // Everything that a ray can hit.
