@@ -17,6 +17,7 @@ constexpr double kRattle = 1e-3;  // s between bounces
 constexpr uint32_t kMostRattles = 32;
 constexpr double kDozeWithin = 1e-3, kDozeAfter = 0.5; // m, s
 constexpr double kMoveWithin = 4;                      // s
+constexpr double kTipping = 1e-3;                      // m/s
 
 FlightRules flight_rules(const GrenadeRules& rules) {
     return {rules.radius, rules.gravity, rules.drag, rules.mask};
@@ -176,14 +177,19 @@ void Grenade::note_place() {
     state_.anchor_time = state_.flight.time;
 }
 
-// What it does until the next event: nothing, once it rests.
+// What it does until the next event: nothing, once it rests. Close to balance what tips over would
+// stay for seconds: it gets a push too small to see.
 std::optional<Stretch> Grenade::plan(const World& world) {
-    const Rolling ball = rolling(state_);
     const RollingRules rules = rolling_rules(rules_, false);
-    auto stretch = next_stretch(rules, ball, state_.stretch);
+    auto stretch = next_stretch(rules, rolling(state_), state_.stretch);
     const bool stops = !stretch || stretch->duration < state_.stretch;
-    state_.tipping = stops && is_tipping(world, rules, ball);
-    if (state_.tipping) stretch = next_stretch(rolling_rules(rules_, true), ball, state_.stretch);
+    state_.tipping = stops && is_tipping(world, rules, rolling(state_));
+    if (state_.tipping) {
+        const Vec3 pull = constrain(rules.gravity, state_.contacts.normals());
+        if (glm::length(state_.flight.velocity) < kTipping)
+            state_.flight.velocity = kTipping * glm::normalize(pull);
+        stretch = next_stretch(rolling_rules(rules_, true), rolling(state_), state_.stretch);
+    }
     const double patience = stops && !state_.tipping ? kDozeAfter : kMoveWithin;
     if (state_.flight.time - state_.anchor_time > patience) return std::nullopt;
     return stretch;
