@@ -16,12 +16,20 @@ from source.glb import Writer  # noqa: E402
 MAX_BYTES = 1_000_000
 
 
+class PropsWriter(Writer):
+    def add_nodes(self) -> None:
+        super().add_nodes()
+        for node in self.nodes:  # there is one of each
+            if "mesh" in node:
+                node["name"] = node["name"].removesuffix("_0")
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     default = Path(__file__).resolve().parent / "props.glb"
     parser.add_argument("--out", type=Path, default=default, help="the file to write (%(default)s)")
     arguments = parser.parse_args()
-    writer = Writer(props.build(), "props")
+    writer = PropsWriter(props.build(), "props")
     data = writer.write()
     assert len(data) < MAX_BYTES, f"{len(data)} bytes are too many"
     arguments.out.write_bytes(data)
