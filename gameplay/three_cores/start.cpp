@@ -129,9 +129,7 @@ std::vector<Vec3> grid(const Plan& plan, int half) {
 } // namespace
 
 gameplay::CharacterRules walker() {
-    gameplay::CharacterRules rules;
-    rules.step_height = 0.46;
-    return rules;
+    return rules_of(Difficulty::normal).character;
 }
 
 void settle_spawns(Plan& plan, const gameplay::World& world) {
