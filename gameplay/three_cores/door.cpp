@@ -9,10 +9,10 @@ namespace {
 
 constexpr double kSeconds = 0.9; // to swing
 
-// How far it is shut, by the tangent of half its angle: a turn without sines, about as even.
+// The tangent of half the angle goes from 0 to 1, evenly enough: a turn without sines, which differ
+// between libraries.
 rt_transform swung(const rt_transform& rest, double side, double closed) {
-    constexpr double kTan45Half = 0.41421356237309503;
-    const double t = kTan45Half * closed, scale = 1 / (1 + t * t);
+    const double t = closed, scale = 1 / (1 + t * t);
     return turned(rest, side * 2 * t * scale, (1 - t * t) * scale);
 }
 

@@ -117,10 +117,9 @@ TEST_F(Round, ABlastPushesACrateToTheWall) {
     TickInput input = walking({0, 0, 0}, kThrow);
     input.view[1] = -0.35f;
     input.view[2] = -0.94f;
-    play(0.1, input);
+    play(2.4, input);
     input.buttons = 0;
     EXPECT_EQ(play(6, input, Sound::blast), 1u);
-    std::printf("front %g\n", front());
     EXPECT_LT(front(), -4.0);
     EXPECT_GT(front(), -5.25); // the wall is at -6, the crate 0.8 deep
     EXPECT_EQ(game.status().grenades, game.rules().grenades - 1);
@@ -134,6 +133,7 @@ TEST_F(Round, ABlastDisablesWhatItSees) {
     Game& game = start(Difficulty::easy);
     TickInput input = walking({0, 0, 0}, kThrow);
     input.view[1] = 0.1f;
+    input.view[2] = -0.995f;
     play(1.2, input);
     input.buttons = 0;
     EXPECT_EQ(play(4, input, Sound::disabled), 1u);
