@@ -93,7 +93,8 @@ void Watch::judge(Notice& notice, const Vec3& eye, const Target& target, double 
     notice.visibility /= double(kPoints);
     if (notice.visibility > 0) {
         const double far = std::min(glm::length(target.position - eye) / rules_.range, 1.0);
-        const double rate = notice.visibility * (1 - 0.9 * far * far) / rules_.notice_seconds;
+        const double rate =
+            target.conspicuous * notice.visibility * (1 - 0.9 * far * far) / rules_.notice_seconds;
         notice.suspicion = std::min(notice.suspicion + rate * seconds, 1.0);
         notice.last_known = target.position;
         notice.unseen = 0;

@@ -26,6 +26,7 @@ struct Target {
     Vec3 position{0}; // between the feet
     double height = 1.8;
     double radius = 0.3;
+    double conspicuous = 1; // how fast it is noticed, times the rules' rate: less in the dark
 };
 
 struct Noise {

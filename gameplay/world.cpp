@@ -112,10 +112,22 @@ bool World::overlaps(const Capsule& shape, const Mask& mask) const {
     record.kind = RT_SHAPE_CAPSULE;
     record.radius = float(shape.radius);
     store(shape.axis, record.extent);
-    const rt_query_options asked = options(shape.center, mask);
+    return overlaps(shape.center, record, mask);
+}
+
+bool World::overlaps(const Box& shape, const Mask& mask) const {
+    rt_shape record{};
+    record.kind = RT_SHAPE_BOX;
+    store(shape.half_size, record.extent);
+    for (int k = 0; k < 4; ++k) record.rotation[k] = float(shape.rotation[k]);
+    return overlaps(shape.center, record, mask);
+}
+
+bool World::overlaps(const Vec3& origin, const rt_shape& shape, const Mask& mask) const {
+    const rt_query_options asked = options(origin, mask);
     uint8_t overlapping = 0;
     rt_overlap_desc desc = rt_default_overlap_desc();
-    desc.shapes = &record;
+    desc.shapes = &shape;
     desc.shape_count = 1;
     desc.overlapping = &overlapping;
     desc.layer_mask = mask.layers;

@@ -20,6 +20,12 @@ struct Capsule {
     Vec3 axis{0};
 };
 
+struct Box {
+    Vec3 center{0};
+    Vec3 half_size{0};
+    double rotation[4]{0, 0, 0, 1}; // a quaternion x, y, z, w
+};
+
 // Which meshes count.
 struct Mask {
     uint32_t layers = ~0u;
@@ -66,6 +72,7 @@ public:
                                   const Mask& mask = {}) const;
     bool is_free(const Vec3& from, const Vec3& to, const Mask& mask = {}) const;
     bool overlaps(const Capsule& shape, const Mask& mask = {}) const;
+    bool overlaps(const Box& shape, const Mask& mask = {}) const;
     std::optional<Nearest> nearest(const Vec3& point, double radius, const Mask& mask = {}) const;
 
     // Many lines of sight at once: clear[i] is 1 if nothing lies between from[i] and to[i]. Points
@@ -74,6 +81,8 @@ public:
                         const Mask& mask, std::span<uint8_t> clear) const;
 
 private:
+    bool overlaps(const Vec3& origin, const rt_shape& shape, const Mask& mask) const;
+
     // occluded[i]: whether anything lies on ray i, which is relative to `origin`.
     void any(const Vec3& origin, std::span<const rt_ray> rays, const Mask& mask,
              std::span<uint8_t> occluded) const;

@@ -14,8 +14,8 @@ public:
 
     // Returns true in the tick that it shoots in.
     bool update(const Rules& rules, const gameplay::Notice& notice, const Vec3& target);
-    void disable() { disabled_ = true; }
-    void calm_down() { charge_ = 0; }
+    // It falls onto the floor at this height, and is out for good.
+    void disable(double floor);
 
     gameplay::Sentry sentry() const { return {position_, forward_}; }
     const Vec3& position() const { return position_; }
@@ -30,7 +30,8 @@ private:
     Vec3 place(double way) const;
     double way_nearest(const Vec3& point) const;
     void look_along(const Vec3& direction, double turn);
-    void fall();
+    void patrol(const Rules& rules);
+    bool chase(const Rules& rules, const gameplay::Notice& notice, const Vec3& target);
 
     std::vector<Vec3> round_;
     std::vector<double> ends_; // of the round's legs, metres from its start
@@ -40,7 +41,9 @@ private:
     Vec3 position_{0}, forward_{0, 0, -1};
     gameplay::Mood mood_ = gameplay::Mood::calm;
     double suspicion_ = 0, charge_ = 0;
+    double clock_; // s, of its gaze
     bool disabled_ = false;
+    double floor_ = 0;
 };
 
 // What a drone shoots.

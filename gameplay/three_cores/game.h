@@ -4,9 +4,9 @@
 #include "gameplay/three_cores/crate.h"
 #include "gameplay/three_cores/door.h"
 #include "gameplay/three_cores/drone.h"
+#include "gameplay/three_cores/lift.h"
 #include "gameplay/three_cores/light_meter.h"
 #include "gameplay/three_cores/plan.h"
-#include "gameplay/three_cores/platform.h"
 #include "gameplay/three_cores/rules.h"
 
 namespace peregrine::three_cores {
@@ -75,6 +75,7 @@ struct Thrown {
 struct Settings {
     Difficulty difficulty = Difficulty::normal;
     uint64_t seed = 1;
+    rt_commit_desc commit = rt_default_commit_desc(); // as the host has committed the scene
 };
 
 // One round of the game. It moves the plan's parts in the scene and commits it, in every tick; the
@@ -107,22 +108,29 @@ public:
     std::vector<Vec3> preview(const Vec3& view) const;
 
 private:
-    void move_parts(const gameplay::TickInput& input);
+    void use();
+    void move_parts();
     void commit();
     void move_player(const gameplay::TickInput& input);
-    void handle_grenades(const gameplay::TickInput& input);
+    void make_steps(bool running, double fall_speed);
+    void handle_grenades();
+    void fly_grenades();
     void blast(const Vec3& point);
     void run_drones();
+    void shoot(const Drone& drone);
     void fly_bolts();
     void collect();
     void hurt();
+    void begin_again();
     void finish(Outcome outcome);
     void measure();
+    uint32_t score() const;
+    bool is_pressed(Button button) const { return (buttons_ & ~held_ & button) != 0; }
     void say(Sound sound, const Vec3& point, double strength = 1);
     void make_noise(const Vec3& point, double radius);
-    gameplay::Target target() const;
     gameplay::Grenade throw_along(const Vec3& view) const;
     Vec3 chest() const;
+    std::vector<gameplay::Sentry> sentries() const;
 
     const rt_api* api_;
     rt_scene scene_;
@@ -133,7 +141,8 @@ private:
     gameplay::Character player_;
     gameplay::Watch watch_;
     std::vector<Door> doors_;
-    std::vector<Platform> platforms_; // lifts, then gates
+    std::vector<Lift> lifts_;
+    std::vector<Platform> gates_;
     std::vector<Crate> crates_;
     std::vector<Drone> drones_;
     std::vector<Bolt> bolts_;
@@ -143,14 +152,15 @@ private:
     std::vector<Event> events_;
     Status status_;
     Vec3 view_{0, 0, -1};
+    LightMeter light_;
     uint64_t tick_ = 0;
     uint64_t cooking_since_ = 0; // tick; 0: no grenade in the hand
     uint64_t safe_until_ = 0;    // tick: after a hit nobody is hit again
     uint32_t spawn_ = 0;         // where to begin again
     uint32_t disabled_ = 0;
     uint32_t alarms_ = 0;
-    double stride_ = 0; // m since the last step
-    uint32_t held_ = 0; // buttons of the tick before
+    double stride_ = 0;               // m since the last step
+    uint32_t buttons_ = 0, held_ = 0; // of this tick and of the one before
 };
 
 } // namespace peregrine::three_cores

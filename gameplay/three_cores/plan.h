@@ -23,13 +23,13 @@ struct Spawn {
 };
 
 // A platform between where it rests and `top`, which is where its origin goes.
-struct Lift {
+struct LiftPlan {
     Part part;
     Vec3 top{0};
 };
 
 // A grille that rises by its own height; behind it, on the floor, the place to reach.
-struct Gate {
+struct GatePlan {
     Part part;
     Vec3 exit{0};
 };
@@ -49,10 +49,10 @@ struct Plan {
     std::vector<Spawn> spawns;
     std::vector<Vec3> cores;
     std::vector<std::vector<Vec3>> patrols; // of a drone each; a loop if the end is near the start
-    std::vector<Part> doors;                // leaves that turn about their own +Y; open at rest,
-    std::vector<Part> crates;               // closed after a turn of -90 degrees
-    std::vector<Lift> lifts;
-    std::vector<Gate> gates;
+    std::vector<Part> doors;                // leaves; see door.h
+    std::vector<Part> crates;
+    std::vector<LiftPlan> lifts;
+    std::vector<GatePlan> gates;
     std::vector<Vec3> exits; // of gates; or places alone
     std::vector<Lamp> lamps;
     Vec3 lower{0}, upper{0}; // of the level
