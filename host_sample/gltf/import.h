@@ -12,8 +12,8 @@ namespace host::gltf {
 // everything then stands still.
 inline constexpr const char* no_animation = "none";
 
-// By a node's name: whether the host moves it. Its mesh is then rigid, though no animation drives
-// it.
+// By a node's name: whether the host moves it. Meshes at it and below it are then rigid, though no
+// animation drives them.
 using NodeFilter = std::function<bool(const std::string& name)>;
 
 // Reads a .gltf or .glb file. Throws InputError with a sentence that names the file and the cause;

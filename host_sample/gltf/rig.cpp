@@ -31,8 +31,7 @@ void RigBuilder::add_moving(const std::vector<bool>& driven, const NodeFilter& m
         const uint32_t parent = tree_.parent[node];
         const bool follows = parent != no_index && moves_[parent];
         const tinygltf::Node& source = model_.nodes[node];
-        if (!driven[node] && !follows && !(moved && source.mesh >= 0 && moved(source.name)))
-            continue;
+        if (!driven[node] && !follows && !(moved && moved(source.name))) continue;
         RigNode added;
         added.name = source.name;
         added.driven = driven[node];
