@@ -57,6 +57,9 @@ public:
     };
     MenuSounds take_sounds();
 
+    // Around all texts of the last frame: they should fit the window.
+    Box text_box() const;
+
     // For the player: e.g. that the font is missing and another one is used.
     const std::vector<std::string>& notes() const;
 

@@ -15,28 +15,10 @@ import time
 
 from PIL import Image, ImageChops, ImageGrab, ImageStat
 
+from display import Display
+
 SIZE = (640, 400)
 LARGER = (720, 450)
-
-
-class Display:
-    """A virtual X display under a free number."""
-
-    def __enter__(self):
-        read, write = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1024x768x24", "-nolisten", "tcp"],
-            pass_fds=[write],
-            stderr=subprocess.DEVNULL,
-        )
-        os.close(write)
-        with os.fdopen(read) as number:
-            self.name = ":" + number.readline().strip()
-        return self
-
-    def __exit__(self, *_):
-        self.server.terminate()
-        self.server.wait()
 
 
 class Host:
@@ -44,8 +26,7 @@ class Host:
 
     def __init__(self, display, program, scene):
         self.display = display
-        self.environment = dict(os.environ, DISPLAY=display.name, LIBGL_ALWAYS_SOFTWARE="1")
-        self.environment.pop("WAYLAND_DISPLAY", None)
+        self.environment = display.environment()
         self.folder = tempfile.TemporaryDirectory()
         self.process = subprocess.Popen(
             [program, "--scene", scene, "--size", "%dx%d" % SIZE, "--quiet"],

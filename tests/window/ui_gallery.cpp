@@ -1,0 +1,331 @@
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "gallery_window.h"
+#include "image_file.h"
+#include "ui/ui.h"
+
+using namespace host;
+using namespace host::ui;
+using three_cores::Difficulty;
+
+namespace {
+
+struct Size {
+    int width, height;
+    bool modern;
+};
+
+Viewpoint viewpoint() {
+    Viewpoint view;
+    view.position = {0.0, 1.7, 0.0};
+    return view;
+}
+
+Device keyboard() {
+    return {"Keyboard and mouse",
+            "Enter",
+            "Esc",
+            {{"Walk", "W A S D"},
+             {"Look", "Mouse"},
+             {"Run", "Shift"},
+             {"Crouch", "Ctrl"},
+             {"Jump", "Space"},
+             {"Open a door", "E"},
+             {"Cook and throw a grenade", "Left mouse button"},
+             {"Slow walk", "Alt"},
+             {"Pause", "Esc"},
+             {"Picture", "F12"}}};
+}
+
+Hud calm_hud() {
+    Hud hud;
+    hud.lives = 2;
+    hud.grenades = 4;
+    hud.cores = 1;
+    hud.cores_total = 3;
+    hud.drones = 5;
+    hud.drones_total = 6;
+    hud.score = 1250;
+    hud.seconds = 134.5;
+    hud.light = 0.35f;
+    hud.hint = {"E", "open the door"};
+    return hud;
+}
+
+Hud arc_hud(const Projection& projection) {
+    Hud hud = calm_hud();
+    hud.cooking = 0.55f;
+    hud.light = 0.7f;
+    hud.hint = {};
+    std::vector<glm::dvec3> way;
+    for (int i = 0; i <= 40; ++i) {
+        const double t = i / 40.0;
+        way.emplace_back(0.25 + 1.2 * t, 1.5 + 3.4 * t - 4.8 * t * t, -0.4 - 9.0 * t);
+    }
+    hud.arc = project_arc(projection, way, 1.0);
+    return hud;
+}
+
+DroneMark mark_at(const Projection& projection, glm::dvec3 place, float suspicion, float charge) {
+    return {projection.sight(place), suspicion, charge, suspicion >= 1.0f};
+}
+
+Hud alarm_hud(const Projection& projection) {
+    Hud hud = calm_hud();
+    hud.seen = 0.8f;
+    hud.light = 0.9f;
+    hud.alarm = 1.0f;
+    hud.lives = 1;
+    hud.hint = {};
+    hud.drone_marks = {mark_at(projection, {1.9, 3.0, -9.0}, 1.0f, 0.6f),
+                       mark_at(projection, {-3.4, 2.6, -11.0}, 0.55f, 0.0f),
+                       mark_at(projection, {6.0, 3.0, 3.0}, 0.7f, 0.0f)};
+    return hud;
+}
+
+Hud gate_hud(const Projection& projection) {
+    Hud hud = calm_hud();
+    hud.cores = 3;
+    hud.gate_open = true;
+    hud.hurt = 0.7f;
+    hud.light = 0.05f;
+    hud.goals = {{projection.sight({0.0, 2.2, -21.0}), "GATE"}};
+    hud.hint = {"", "All cores taken: reach the gate"};
+    return hud;
+}
+
+EndScreen won_screen() {
+    EndScreen end;
+    end.won = true;
+    end.level = "The hall at night";
+    end.seconds = 214.38;
+    end.score = 12350;
+    end.lines = {{"Cores", "3 000"},
+                 {"Drones put out", "2 \xc3\x97 250"},
+                 {"Never in alarm", "2 000"},
+                 {"Lives left", "2 \xc3\x97 500"},
+                 {"Time", "5 850"}};
+    end.best = BestResult{214.38, 14100};
+    end.new_best_time = true;
+    return end;
+}
+
+EndScreen lost_screen() {
+    EndScreen end;
+    end.level = "The hall at night";
+    end.difficulty = Difficulty::hard;
+    end.cause = "A drone's third shot found you on the gallery.";
+    end.seconds = 96.2;
+    end.score = 2250;
+    end.lines = {{"Cores", "1 of 3"}, {"Drones put out", "2 of 6"}};
+    end.best = BestResult{188.0, 9900};
+    return end;
+}
+
+class Gallery : public testing::TestWithParam<Size> {
+protected:
+    Gallery() : window_(GetParam().width, GetParam().height, GetParam().modern) {
+        if (window_.open()) ui_ = std::make_unique<Ui>(GetParam().modern);
+        const char* folder = std::getenv("GALLERY");
+        folder_ = folder ? folder : "gallery";
+        std::filesystem::create_directories(folder_);
+    }
+    ~Gallery() override { ui_.reset(); }
+
+    Projection projection() const {
+        return Projection(viewpoint(), window_.width(), window_.height());
+    }
+
+    Frame frame(double seconds = 0.5) const {
+        Frame frame;
+        frame.width = window_.width();
+        frame.height = window_.height();
+        frame.seconds = seconds;
+        frame.device = &device_;
+        return frame;
+    }
+
+    // Draws twice: the first frame is where a screen begins to appear.
+    void hang(const std::string& name, const std::function<void()>& draw) {
+        window_.show_picture();
+        const auto before = window_.read();
+        for (int i = 0; i < 2; ++i) {
+            window_.show_picture();
+            ui_->begin(frame());
+            draw();
+            ui_->end_frame();
+        }
+        const auto after = window_.read();
+        const std::string size = std::to_string(GetParam().width) + "x"
+                                 + std::to_string(GetParam().height)
+                                 + (GetParam().modern ? "" : "_gl2");
+        write_png(folder_ / (name + "_" + size + ".png"), static_cast<uint32_t>(window_.width()),
+                  static_cast<uint32_t>(window_.height()), after);
+        expect_drawn(name, before, after);
+    }
+
+    void expect_drawn(const std::string& name, const std::vector<uint8_t>& before,
+                      const std::vector<uint8_t>& after) const {
+        size_t changed = 0, bright = 0;
+        for (size_t i = 0; i < before.size(); i += 4) {
+            changed += before[i] != after[i] || before[i + 1] != after[i + 1];
+            bright += after[i] > 215 && after[i + 1] > 215 && after[i + 2] > 215;
+        }
+        const size_t pixels = before.size() / 4;
+        EXPECT_GT(changed, pixels / 50) << name;
+        EXPECT_GT(bright, pixels / 2000) << name << " shows no text";
+        const Box box = ui_->text_box();
+        EXPECT_GE(box.lower.x, 0.0f) << name;
+        EXPECT_GE(box.lower.y, 0.0f) << name;
+        EXPECT_LE(box.upper.x, static_cast<float>(window_.width())) << name;
+        EXPECT_LE(box.upper.y, static_cast<float>(window_.height())) << name;
+    }
+
+    GalleryWindow window_;
+    std::unique_ptr<Ui> ui_;
+    Device device_ = keyboard();
+    std::filesystem::path folder_;
+    PlayerSettings settings_;
+    Difficulty difficulty_ = Difficulty::normal;
+};
+
+TEST_P(Gallery, TheTypefaceOfTheGameIsFound) {
+    ASSERT_TRUE(window_.open());
+    ui_->begin(frame());
+    ui_->end_frame();
+    EXPECT_TRUE(ui_->notes().empty()) << ui_->notes().front();
+}
+
+TEST_P(Gallery, TitleAndLoading) {
+    ASSERT_TRUE(window_.open());
+    TitleScreen title{"The hall at night", &difficulty_, BestResult{188.04, 9900}, ""};
+    hang("title", [&] { ui_->title(title); });
+    title.best.reset();
+    title.note = "There will be no sound: no device can be opened.";
+    hang("title_noted", [&] { ui_->title(title); });
+    hang("loading", [&] { ui_->loading("The hall is being built", 0.4f); });
+}
+
+TEST_P(Gallery, Playing) {
+    ASSERT_TRUE(window_.open());
+    const Hud play = calm_hud();
+    ui_->toast("DualSense connected");
+    hang("play", [&] { ui_->hud(play); });
+    const Hud grenade = arc_hud(projection());
+    hang("grenade", [&] { ui_->hud(grenade); });
+    const Hud alarm = alarm_hud(projection());
+    hang("alarm", [&] { ui_->hud(alarm); });
+    const Hud gate = gate_hud(projection());
+    hang("gate", [&] { ui_->hud(gate); });
+}
+
+TEST_P(Gallery, PauseAndOptions) {
+    ASSERT_TRUE(window_.open());
+    const PauseScreen pause{"The hall at night", Difficulty::normal};
+    hang("pause", [&] { ui_->pause(pause); });
+    OptionsScreen options{&settings_};
+    hang("options", [&] { ui_->options(options); });
+    device_.name = "8BitDo Pro 2";
+    device_.accept = "Lower Button";
+    device_.back = "Right Button";
+    for (Binding& binding : device_.bindings) binding.input = "Left Stick";
+    options.has_sound = false;
+    hang("options_pad", [&] { ui_->options(options); });
+}
+
+TEST_P(Gallery, WonAndLost) {
+    ASSERT_TRUE(window_.open());
+    hang("won", [&] { ui_->end(won_screen()); });
+    hang("lost", [&] { ui_->end(lost_screen()); });
+}
+
+// Presses down so often, then the input: what comes of it.
+std::set<Action> reached(const std::function<Action(const MenuInput&)>& screen) {
+    std::set<Action> actions;
+    for (int downs = 0; downs < 12; ++downs) {
+        for (const MenuInput& input :
+             {MenuInput{.accept = true}, MenuInput{.right = true}, MenuInput{.back = true}})
+            actions.insert(screen(input));
+        actions.insert(screen({.down = true}));
+    }
+    actions.erase(Action::none);
+    return actions;
+}
+
+TEST_P(Gallery, AllActionsAreReachedWithoutAMouse) {
+    ASSERT_TRUE(window_.open());
+    const auto with = [&](const std::function<Action()>& screen) {
+        return reached([&](const MenuInput& input) {
+            Frame next = frame(0.02);
+            next.menu = input;
+            ui_->begin(next);
+            const Action action = screen();
+            ui_->end_frame();
+            return action;
+        });
+    };
+    TitleScreen title{"Hall", &difficulty_, {}, ""};
+    OptionsScreen options{&settings_};
+    EXPECT_EQ(with([&] { return ui_->title(title); }),
+              (std::set{Action::play, Action::options, Action::quit, Action::changed}));
+    EXPECT_EQ(with([&] { return ui_->pause({}); }),
+              (std::set{Action::resume, Action::restart, Action::options, Action::to_title}));
+    const PlayerSettings before = settings_;
+    EXPECT_EQ(with([&] { return ui_->options(options); }),
+              (std::set{Action::back, Action::changed}));
+    EXPECT_NE(settings_, before);
+    EXPECT_EQ(with([&] { return ui_->end({}); }), (std::set{Action::restart, Action::to_title}));
+}
+
+TEST_P(Gallery, AllEntriesAreReachedByClicks) {
+    ASSERT_TRUE(window_.open());
+    TitleScreen title{"Hall", &difficulty_, {}, ""};
+    std::set<Action> actions;
+    for (float y = 0.0f; y < 1.0f; y += 0.02f)
+        for (const float x : {0.1f, 0.3f, 0.9f}) {
+            Frame next = frame(0.02);
+            next.pointer = {
+                {x * static_cast<float>(window_.width()), y * static_cast<float>(window_.height())},
+                true,
+                true,
+                true};
+            ui_->begin(next);
+            actions.insert(ui_->title(title));
+            ui_->end_frame();
+        }
+    EXPECT_EQ(actions, (std::set{Action::none, Action::play, Action::options, Action::quit,
+                                 Action::changed}));
+}
+
+TEST_P(Gallery, OptionsComeBackToTheirEntry) {
+    ASSERT_TRUE(window_.open());
+    OptionsScreen options{&settings_};
+    const auto show = [&](bool pause, const MenuInput& input) {
+        Frame next = frame(0.02);
+        next.menu = input;
+        ui_->begin(next);
+        const Action action = pause ? ui_->pause({}) : ui_->options(options);
+        ui_->end_frame();
+        return action;
+    };
+    show(true, {.down = true});
+    show(true, {.down = true});
+    EXPECT_EQ(show(true, {.accept = true}), Action::options);
+    EXPECT_EQ(show(false, {.back = true}), Action::back);
+    EXPECT_EQ(show(true, {.accept = true}), Action::options);
+    ui_->begin(frame());
+    ui_->hud({});
+    ui_->end_frame();
+    EXPECT_EQ(show(true, {.accept = true}), Action::resume);
+}
+
+INSTANTIATE_TEST_SUITE_P(Windows, Gallery,
+                         testing::Values(Size{1280, 720, true}, Size{1024, 768, true},
+                                         Size{640, 480, true}, Size{640, 480, false}));
+
+} // namespace
