@@ -41,19 +41,23 @@ private:
         Vec3 place;
         int32_t x, z;                // the cell
         std::vector<uint32_t> links; // in the order that they were found
-        uint8_t tried = 0;           // directions that need no look any more
+        uint8_t tried = 0;           // directions that are linked from the other end
     };
-    struct Column { // all places of a cell, and heights from which none was found
-        std::vector<uint32_t> nodes;
-        std::vector<double> failed;
+    struct Level { // a floor of a cell, a place of the graph or not
+        double height;
+        bool has_room;
+        uint32_t node;
     };
 
-    uint32_t floor_from(int32_t x, int32_t z, double height);
+    Level* level_from(int32_t x, int32_t z, double height);
+    uint32_t node_of(Level& level, int32_t x, int32_t z);
+    uint32_t stand(const Vec3& place);
     std::optional<double> height_at(double x, double z, double height) const;
     bool has_room(const Vec3& place) const;
+    bool has_headroom(const Vec3& from, const Vec3& to) const;
     bool can_go(const Vec3& from, const Vec3& to) const;
     void try_direction(uint32_t node, uint32_t direction);
-    uint32_t add(int32_t x, int32_t z, const Vec3& place);
+    bool can_see(const Vec3& from, const Vec3& floor) const;
     gameplay::Capsule torso(const Vec3& place) const;
     gameplay::Mask mask() const { return {layers_, ignored_}; }
 
@@ -62,7 +66,8 @@ private:
     uint32_t layers_;
     std::vector<rt_mesh> ignored_;
     std::vector<Node> nodes_;
-    std::unordered_map<uint64_t, Column> columns_;
+    size_t done_ = 0; // nodes whose directions were tried
+    std::unordered_map<uint64_t, std::vector<Level>> columns_;
 };
 
 } // namespace peregrine::three_cores
