@@ -10,6 +10,8 @@
 #include "headless.h"
 #include "image_file.h"
 #include "presenter.h"
+#include "probe.h"
+#include "walker.h"
 
 namespace host {
 
