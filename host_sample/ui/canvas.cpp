@@ -58,10 +58,16 @@ float Canvas::text(glm::vec2 place, Face face, const Color& color, std::string_v
     if (align == Align::center) place.x -= 0.5f * (wide - px(tracking));
     if (align == Align::right) place.x -= wide - px(tracking);
     place = glm::round(place);
-    const float below = std::max(1.0f, std::round(0.03f * height(face)));
+    const float below = std::max(1.0f, std::round(0.02f * height(face)));
     note_text(place, {wide - px(tracking), height(face)});
     glyphs(place + glm::vec2(below), face, packed(theme::faded(shade, color.a)), text, tracking);
     return glyphs(place, face, packed(color), text, tracking);
+}
+
+Canvas Canvas::fitted(float wide, float available) const {
+    Canvas canvas = *this;
+    if (wide > available) canvas.text_scale_ *= std::max(0.1f, available / wide);
+    return canvas;
 }
 
 void Canvas::plain_text(glm::vec2 place, Face face, const Color& color,
@@ -103,8 +109,15 @@ void Canvas::polyline(std::span<const glm::vec2> points, const Color& color, flo
                       std::max(1.0f, px(units)));
 }
 
+// ImGui wants the corners clockwise, or it draws the soft edge inwards.
 void Canvas::polygon(std::span<const glm::vec2> points, const Color& color) const {
-    for (const glm::vec2& point : points) list_->PathLineTo(im(point));
+    float area = 0.0f;
+    for (size_t i = 0; i < points.size(); ++i) {
+        const glm::vec2 a = points[i], b = points[(i + 1) % points.size()];
+        area += a.x * b.y - a.y * b.x;
+    }
+    for (size_t i = 0; i < points.size(); ++i)
+        list_->PathLineTo(im(points[area >= 0.0f ? i : points.size() - 1 - i]));
     list_->PathFillConvex(packed(color));
 }
 
@@ -173,6 +186,11 @@ void Canvas::glow(glm::vec2 center, float units, const Color& color) const {
     for (int i = 1; i <= steps; ++i)
         disc(center, units * static_cast<float>(i) / steps,
              theme::faded(color, 1.6f / (steps * static_cast<float>(i))));
+}
+
+void Canvas::panel(glm::vec2 lower, glm::vec2 upper) const {
+    rectangle(lower, upper, theme::faded(theme::night, 0.62f), 6.0f);
+    frame(lower, upper, theme::faded(theme::dim, 0.22f), 1.0f, 6.0f);
 }
 
 float Canvas::key_cap_width(std::string_view name) const {

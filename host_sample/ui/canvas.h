@@ -33,7 +33,9 @@ public:
     // Without the shade that sets others off from the picture.
     void plain_text(glm::vec2 place, Face face, const Color& color, std::string_view text) const;
     float width(Face face, std::string_view text, float tracking = 0.0f) const;
-    float height(Face face) const { return px(face_size(face)); }
+    float height(Face face) const { return text_scale_ * px(face_size(face)); }
+    // The same with smaller letters, so that what is `wide` fits into what is available.
+    Canvas fitted(float wide, float available) const;
     // Breaks lines at blanks; returns their height.
     float paragraph(glm::vec2 place, float width, Face face, const Color& color,
                     std::string_view text) const;
@@ -60,6 +62,8 @@ public:
     // A soft light around a point.
     void glow(glm::vec2 center, float units, const Color& color) const;
 
+    // What a table lies on.
+    void panel(glm::vec2 lower, glm::vec2 upper) const;
     // A key or button as a cap with its name in it. Returns the width in pixels.
     float key_cap(glm::vec2 place, std::string_view name) const;
     float key_cap_width(std::string_view name) const;
@@ -75,7 +79,7 @@ private:
     glm::vec2 size_;
     float unit_;
     Box* text_box_; // around all texts
-    float alpha_ = 1.0f;
+    float alpha_ = 1.0f, text_scale_ = 1.0f;
 };
 
 } // namespace host::ui

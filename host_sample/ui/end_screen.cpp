@@ -5,7 +5,8 @@ namespace host::ui {
 
 namespace {
 
-constexpr float table_width = 380.0f;
+constexpr std::string_view away = "All three cores are yours, and the night keeps quiet.";
+constexpr float table_width = 360.0f;
 
 void draw_heading(const Canvas& canvas, const EndScreen& screen, float left, float top) {
     const Color tint = screen.won ? theme::core : theme::red;
@@ -19,9 +20,9 @@ void draw_heading(const Canvas& canvas, const EndScreen& screen, float left, flo
     canvas.text({left - canvas.px(4.0f), top}, Face::title,
                 screen.won ? theme::text : theme::mixed(theme::text, theme::red, 0.55f),
                 screen.won ? "AWAY" : "CAUGHT", Align::left, 5.0f);
-    canvas.text({left, top + canvas.px(104.0f)}, Face::body, theme::dim,
-                screen.won ? "All three cores are yours, and the night keeps quiet."
-                           : screen.cause);
+    const std::string_view words = screen.won ? away : std::string_view(screen.cause);
+    canvas.fitted(canvas.width(Face::body, words), canvas.size().x - left - canvas.px(40.0f))
+        .text({left, top + canvas.px(104.0f)}, Face::body, theme::dim, words);
 }
 
 void draw_badge(const Canvas& canvas, glm::vec2 place, const char* text) {
@@ -48,6 +49,9 @@ void draw_results(const Canvas& canvas, const EndScreen& screen, glm::vec2 place
 
 void draw_lines(const Canvas& canvas, const EndScreen& screen, glm::vec2 place) {
     const float right = place.x + canvas.px(table_width);
+    const float rows = static_cast<float>(screen.lines.size()) + (screen.best ? 1.5f : 0.0f);
+    const glm::vec2 pad(canvas.px(18.0f), canvas.px(14.0f));
+    canvas.panel(place - pad, {right + pad.x, place.y + canvas.px(36.0f + 25.0f * rows) + pad.y});
     canvas.text(place, Face::small, theme::dim,
                 screen.level + "  \xc2\xb7  " + difficulty_name(screen.difficulty));
     place.y += canvas.px(26.0f);
@@ -77,8 +81,8 @@ Action show_end(Page& page, const EndScreen& screen) {
     if (!screen.won) canvas.vignette({0.25f, 0.01f, 0.01f, 0.55f}, 0.3f);
     draw_heading(canvas, screen, left, middle - canvas.px(270.0f));
     draw_results(canvas, screen, {left, middle - canvas.px(118.0f)});
-    const float column = canvas.size().x - canvas.px(72.0f + table_width);
-    draw_lines(canvas, screen, {column, middle - canvas.px(118.0f)});
+    const float column = canvas.size().x - canvas.px(58.0f + table_width);
+    draw_lines(canvas, screen, {column, middle - canvas.px(108.0f)});
     const Choice choice = run_column(page, {{left, middle + canvas.px(30.0f)}, 330.0f},
                                      {{.label = "Again"}, {.label = "To the title"}});
     draw_footer(page, true);

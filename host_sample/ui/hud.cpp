@@ -18,12 +18,13 @@ void draw_shades(const Canvas& canvas, const Hud& hud, double now) {
     if (hud.alarm > 0.3f) {
         const bool certain = hud.alarm >= 1.0f;
         const float pulse = certain ? 0.8f + 0.2f * std::sin(7.0f * static_cast<float>(now)) : 1.0f;
-        const float strength = 0.75f * (hud.alarm - 0.3f) / 0.7f * pulse;
-        canvas.vignette(theme::faded(theme::danger(hud.alarm), strength), 0.52f);
+        const float strength = 0.85f * (hud.alarm - 0.3f) / 0.7f * pulse;
+        const Color glow = theme::mixed(theme::danger(hud.alarm), {0.35f, 0.0f, 0.0f, 1.0f}, 0.6f);
+        canvas.vignette(theme::faded(glow, strength), 0.5f);
     }
     if (hud.hurt > 0.0f) {
-        canvas.rectangle({0.0f, 0.0f}, size, theme::faded(theme::red, 0.28f * hud.hurt));
-        canvas.vignette({0.7f, 0.0f, 0.0f, 0.9f * hud.hurt}, 0.2f);
+        canvas.rectangle({0.0f, 0.0f}, size, theme::faded(theme::red, 0.2f * hud.hurt));
+        canvas.vignette({0.5f, 0.0f, 0.0f, 0.95f * hud.hurt}, 0.25f);
     }
 }
 
@@ -55,8 +56,12 @@ void draw_clock_and_alarm(const Canvas& canvas, const Hud& hud) {
     const Color color = theme::danger(hud.alarm);
     canvas.line({middle - half * hud.alarm, y}, {middle + half * hud.alarm, y}, color, 5.0f);
     if (hud.alarm < 0.3f) return;
-    canvas.text({middle, y + canvas.px(9.0f)}, Face::small, color,
-                hud.alarm >= 1.0f ? "ALARM" : "SUSPICIOUS", Align::center, 2.0f);
+    const char* word = hud.alarm >= 1.0f ? "ALARM" : "SUSPICIOUS";
+    const glm::vec2 size(canvas.width(Face::small, word) + canvas.px(20.0f), canvas.px(25.0f));
+    const glm::vec2 lower(middle - 0.5f * size.x, y + canvas.px(9.0f));
+    canvas.rectangle(lower, lower + size, color, 4.0f);
+    canvas.plain_text(lower + canvas.px(1.0f) * glm::vec2(10.0f, 3.0f), Face::small, theme::night,
+                      word);
 }
 
 void draw_score(const Canvas& canvas, const Hud& hud) {
@@ -86,15 +91,15 @@ void draw_grenades(const Canvas& canvas, const Hud& hud) {
                     canvas.size().y - canvas.px(theme::margin + 8.0f));
     const uint32_t total = std::max(hud.grenades, hud.grenades_total);
     if (total > most_icons) {
-        draw_grenade(canvas, place, 11.0f, theme::text);
+        draw_grenade(canvas, place, 12.5f, theme::text);
         canvas.text(place + canvas.px(1.0f) * glm::vec2(-20.0f, -13.0f), Face::body, theme::text,
                     std::to_string(hud.grenades), Align::right);
         return;
     }
     for (uint32_t i = 0; i < total; ++i) {
         const bool left = i < hud.grenades;
-        draw_grenade(canvas, place, 11.0f, left ? theme::text : Color(0.3f, 0.33f, 0.36f, 0.7f));
-        place.x -= canvas.px(25.0f);
+        draw_grenade(canvas, place, 12.5f, left ? theme::text : Color(0.3f, 0.33f, 0.36f, 0.7f));
+        place.x -= canvas.px(28.0f);
     }
 }
 
@@ -133,10 +138,13 @@ void draw_crosshair(const Canvas& canvas, const Hud& hud) {
     const glm::vec2 center = 0.5f * canvas.size();
     for (const glm::vec2 way :
          {glm::vec2(1, 0), glm::vec2(-1, 0), glm::vec2(0, 1), glm::vec2(0, -1)}) {
-        const glm::vec2 a = center + canvas.px(5.0f) * way, b = center + canvas.px(12.0f) * way;
-        canvas.line(a, b, {0.0f, 0.0f, 0.0f, 0.5f}, 3.0f);
-        canvas.line(a, b, theme::faded(theme::text, 0.9f), 1.25f);
+        const glm::vec2 a = center + canvas.px(6.0f) * way, b = center + canvas.px(13.0f) * way;
+        canvas.line(a - canvas.px(1.0f) * way, b + canvas.px(1.0f) * way, {0.0f, 0.0f, 0.0f, 0.6f},
+                    4.0f);
+        canvas.line(a, b, theme::text, 2.0f);
     }
+    canvas.disc(center, 2.4f, {0.0f, 0.0f, 0.0f, 0.6f});
+    canvas.disc(center, 1.4f, theme::text);
     if (hud.cooking <= 0.0f) return;
     const Color color = theme::danger(hud.cooking);
     canvas.circle(center, 27.0f, {0.0f, 0.0f, 0.0f, 0.45f}, 6.0f);
@@ -146,16 +154,18 @@ void draw_crosshair(const Canvas& canvas, const Hud& hud) {
 
 void draw_hint(const Canvas& canvas, const Hint& hint) {
     if (hint.text.empty()) return;
-    const float gap = canvas.px(10.0f);
+    const float gap = canvas.px(10.0f), high = canvas.px(26.0f);
     const float cap = hint.key.empty() ? 0.0f : canvas.key_cap_width(hint.key) + gap;
-    const float wide = cap + canvas.width(Face::body, hint.text);
+    const float room = canvas.size().x - canvas.px(2.0f * theme::margin) - cap;
+    const Canvas fitted = canvas.fitted(canvas.width(Face::body, hint.text), room);
+    const float wide = cap + fitted.width(Face::body, hint.text);
     const glm::vec2 place(0.5f * (canvas.size().x - wide), canvas.size().y - canvas.px(136.0f));
     const glm::vec2 pad(canvas.px(16.0f), canvas.px(9.0f));
-    canvas.rectangle(place - pad, place + glm::vec2(wide, canvas.px(26.0f)) + pad,
+    canvas.rectangle(place - pad, place + glm::vec2(wide, high) + pad,
                      theme::faded(theme::night, 0.62f), 8.0f);
     if (!hint.key.empty()) canvas.key_cap(place, hint.key);
-    canvas.text(place + glm::vec2(cap, 0.5f * (canvas.px(26.0f) - canvas.height(Face::body))),
-                Face::body, theme::text, hint.text);
+    fitted.text(place + glm::vec2(cap, 0.5f * (high - fitted.height(Face::body))), Face::body,
+                theme::text, hint.text);
 }
 
 } // namespace

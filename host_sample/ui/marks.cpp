@@ -1,6 +1,7 @@
 #include "ui/icons.h"
 #include "ui/page.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/glm.hpp>
@@ -62,6 +63,18 @@ void draw_drone_mark(const Canvas& canvas, const DroneMark& mark) {
                   2.0f);
 }
 
+// Fainter near the hand, where it would hide what is aimed at.
+void draw_way(const Canvas& canvas, std::span<const glm::vec2> run) {
+    constexpr size_t faint = 6; // points
+    for (size_t i = 1; i < std::min(faint, run.size()); ++i)
+        canvas.line(run[i - 1], run[i],
+                    theme::faded(theme::core, 0.85f * static_cast<float>(i) / faint), 2.5f);
+    if (run.size() < faint) return;
+    const auto rest = run.subspan(faint - 1);
+    canvas.polyline(rest, {0.0f, 0.0f, 0.0f, 0.35f}, 5.0f);
+    canvas.polyline(rest, theme::faded(theme::core, 0.9f), 2.5f);
+}
+
 void draw_goal(const Canvas& canvas, const GoalMark& goal) {
     glm::vec2 place = goal.sight.place;
     if (!goal.sight.in_view) {
@@ -78,10 +91,7 @@ void draw_goal(const Canvas& canvas, const GoalMark& goal) {
 } // namespace
 
 void show_arc(const Canvas& canvas, const Arc& arc) {
-    for (const auto& run : arc.runs) {
-        canvas.polyline(run, {0.0f, 0.0f, 0.0f, 0.35f}, 5.0f);
-        canvas.polyline(run, theme::faded(theme::core, 0.85f), 2.25f);
-    }
+    for (const auto& run : arc.runs) draw_way(canvas, run);
     if (arc.ring.size() > 2) {
         canvas.polyline(arc.ring, {0.0f, 0.0f, 0.0f, 0.35f}, 5.0f, true);
         canvas.polyline(arc.ring, theme::faded(theme::amber, 0.95f), 2.25f, true);

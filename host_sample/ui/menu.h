@@ -38,7 +38,7 @@ private:
 // A column of entries of which one is selected.
 struct Entry {
     std::string label{};
-    std::string value{};    // empty: a plain entry; else left and right change it
+    std::string value{};  // empty: a plain entry; else left and right change it
     bool enabled = true;  // others are skipped
     float level = -1.0f;  // 0 to 1: a bar below the value; negative: none
     bool has_less = true; // false: left would do nothing

@@ -109,8 +109,7 @@ std::vector<Option> all_options(OptionsScreen& screen) {
 void draw_bindings(const Page& page, glm::vec2 lower, glm::vec2 upper) {
     const Canvas& canvas = page.canvas;
     const float pad = canvas.px(20.0f);
-    canvas.rectangle(lower, upper, theme::faded(theme::night, 0.62f), 6.0f);
-    canvas.frame(lower, upper, theme::faded(theme::dim, 0.22f), 1.0f, 6.0f);
+    canvas.panel(lower, upper);
     glm::vec2 place = lower + glm::vec2(pad);
     canvas.text(place, Face::body, theme::text, page.device.name);
     place.y += canvas.px(36.0f);
@@ -120,9 +119,12 @@ void draw_bindings(const Page& page, glm::vec2 lower, glm::vec2 upper) {
         std::min(canvas.px(31.0f), room / static_cast<float>(std::max<size_t>(count, 1)));
     for (const Binding& binding : page.device.bindings) {
         canvas.line(place, {upper.x - pad, place.y}, theme::faded(theme::dim, 0.14f), 1.0f);
-        const float top = place.y + 0.5f * (row - canvas.height(Face::small));
-        canvas.text({place.x, top}, Face::small, theme::dim, binding.action);
-        canvas.text({upper.x - pad, top}, Face::small, theme::text, binding.input, Align::right);
+        const float wide = canvas.width(Face::small, binding.action)
+                           + canvas.width(Face::small, binding.input) + canvas.px(16.0f);
+        const Canvas fitted = canvas.fitted(wide, upper.x - lower.x - 2.0f * pad);
+        const float top = place.y + 0.5f * (row - fitted.height(Face::small));
+        fitted.text({place.x, top}, Face::small, theme::dim, binding.action);
+        fitted.text({upper.x - pad, top}, Face::small, theme::text, binding.input, Align::right);
         place.y += row;
     }
 }
@@ -142,8 +144,9 @@ Action show_options(Page& page, OptionsScreen& screen) {
     entries.push_back({.label = "Back"});
     const float top = middle - canvas.px(238.0f);
     const Choice choice = run_column(page, {{left, top}, 420.0f, 50.0f, 200.0f}, entries);
-    draw_bindings(page, {left + canvas.px(460.0f), top},
-                  {canvas.size().x - canvas.px(40.0f), top + canvas.px(450.0f)});
+    const float panel = left + canvas.px(446.0f);
+    const float right = std::min(canvas.size().x - canvas.px(32.0f), panel + canvas.px(560.0f));
+    draw_bindings(page, {panel, top}, {right, top + canvas.px(450.0f)});
     draw_footer(page, true);
     if (choice.kind == Choice::Kind::none) return Action::none;
     if (choice.kind == Choice::Kind::back || choice.entry >= options.size()) return Action::back;

@@ -18,7 +18,7 @@ constexpr Color red{1.0f, 0.27f, 0.22f, 1.0f};
 
 constexpr float design_height = 720.0f, design_width = 940.0f;
 constexpr float margin = 32.0f;
-constexpr float small_text = 18.0f, body_text = 23.0f, heading_text = 44.0f, number_text = 34.0f,
+constexpr float small_text = 19.0f, body_text = 23.0f, heading_text = 44.0f, number_text = 34.0f,
                 title_text = 92.0f;
 
 constexpr Color faded(Color color, float alpha) {

@@ -9,9 +9,8 @@
 #include <backends/imgui_impl_opengl2.h>
 #include <backends/imgui_impl_opengl3.h>
 
-#include <GLFW/glfw3.h>
-
 #include "error.h"
+#include "ui/fixed_pipeline.h"
 #include "ui/page.h"
 
 namespace host::ui {
@@ -178,14 +177,16 @@ void Ui::State::draw_toasts() {
         toast.age += frame.seconds;
         const double fading = std::min(toast.age / 0.25, (toast_seconds - toast.age) / 0.5);
         const auto alpha = static_cast<float>(std::clamp(fading, 0.0, 1.0));
-        const float wide = canvas->width(Face::small, toast.sentence) + canvas->px(28.0f);
+        const Canvas fitted = canvas->fitted(canvas->width(Face::small, toast.sentence),
+                                             canvas->size().x - canvas->px(100.0f));
+        const float wide = fitted.width(Face::small, toast.sentence) + canvas->px(28.0f);
         const glm::vec2 lower(canvas->size().x - canvas->px(theme::margin) - wide, top);
         const glm::vec2 upper(lower.x + wide, top + canvas->px(34.0f));
         canvas->rectangle(lower, upper, theme::faded(theme::night, 0.75f * alpha), 5.0f);
         canvas->rectangle(lower, {lower.x + canvas->px(3.0f), upper.y},
                           theme::faded(theme::core, alpha));
-        canvas->text(lower + canvas->px(1.0f) * glm::vec2(15.0f, 8.0f), Face::small,
-                     theme::faded(theme::text, alpha), toast.sentence);
+        fitted.text(lower + canvas->px(1.0f) * glm::vec2(15.0f, 8.0f), Face::small,
+                    theme::faded(theme::text, alpha), toast.sentence);
         top += canvas->px(42.0f);
     }
     std::erase_if(toasts, [](const Toast& toast) { return toast.age >= toast_seconds; });
@@ -200,9 +201,7 @@ void Ui::end_frame() {
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         return;
     }
-    // The fixed pipeline draws only without a program.
-    using UseProgram = void (*)(unsigned);
-    if (const auto use = reinterpret_cast<UseProgram>(glfwGetProcAddress("glUseProgram"))) use(0);
+    const FixedPipeline fixed;
     ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
 }
 

@@ -213,9 +213,14 @@ TEST_P(Gallery, TitleAndLoading) {
 
 TEST_P(Gallery, Playing) {
     ASSERT_TRUE(window_.open());
-    const Hud play = calm_hud();
+    Hud play = calm_hud();
     ui_->toast("DualSense connected");
     hang("play", [&] { ui_->hud(play); });
+    ui_->toast(
+        "A pad that nobody has heard of, with a name as long as a table is wide, is connected");
+    play.hint.text =
+        "open the door that leads to the stairs which go down to the cellar below the hall";
+    hang("play_long", [&] { ui_->hud(play); });
     const Hud grenade = arc_hud(projection());
     hang("grenade", [&] { ui_->hud(grenade); });
     const Hud alarm = alarm_hud(projection());
@@ -242,6 +247,9 @@ TEST_P(Gallery, WonAndLost) {
     ASSERT_TRUE(window_.open());
     hang("won", [&] { ui_->end(won_screen()); });
     hang("lost", [&] { ui_->end(lost_screen()); });
+    EndScreen wordy = lost_screen();
+    wordy.cause = std::string(150, 'x') + ".";
+    hang("lost_wordy", [&] { ui_->end(wordy); });
 }
 
 // Presses down so often, then the input: what comes of it.
