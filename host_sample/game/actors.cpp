@@ -14,7 +14,7 @@ using three_cores::Game;
 constexpr double blast_ticks = 24;
 constexpr float blast_candela = 260.0f, beam_candela = 55.0f, core_candela = 2.2f;
 constexpr double beam_reach = 14, core_reach = 4, blast_reach = 16;
-constexpr double lens = 0.42; // metres before the middle of a drone: outside of its hull
+constexpr double lens = 0.3; // metres before the middle of a drone: outside of its hull
 
 // At a place, with -Z along a direction.
 glm::dmat4 looking_along(const glm::dvec3& place, const glm::dvec3& direction) {
@@ -64,8 +64,8 @@ rt_light_desc beam_of(const Drone& drone, double cos_half_angle) {
 } // namespace
 
 Actors::Actors(Stage& stage, const Props& props)
-    : drones_(stage, props.drone), cores_(stage, props.core), grenades_(stage, props.grenade),
-      bolts_(stage, props.bolt), lamps_(stage) {}
+    : drones_(stage, props.drone), drones_off_(stage, props.drone_off), cores_(stage, props.core),
+      grenades_(stage, props.grenade), bolts_(stage, props.bolt), lamps_(stage) {}
 
 void Actors::show(const Game& game) {
     lit_.clear();
@@ -84,13 +84,14 @@ void Actors::show(const Game& game) {
 }
 
 void Actors::show_drones(const Game& game) {
-    std::vector<glm::dmat4> places;
+    std::vector<glm::dmat4> working, off;
     for (const Drone& drone : game.drones()) {
-        places.push_back(looking_along(drone.position(), drone.forward()));
-        if (!drone.is_disabled())
-            lit_.push_back(beam_of(drone, game.rules().sentry.cos_half_angle));
+        const bool works = !drone.is_disabled();
+        (works ? working : off).push_back(looking_along(drone.position(), drone.forward()));
+        if (works) lit_.push_back(beam_of(drone, game.rules().sentry.cos_half_angle));
     }
-    drones_.show(places);
+    drones_.show(working);
+    drones_off_.show(off);
 }
 
 void Actors::show_cores(const Game& game) {
@@ -128,7 +129,7 @@ void Actors::show_blasts(const Game& game) {
 }
 
 void Actors::hide() {
-    for (PropPool* pool : {&drones_, &cores_, &grenades_, &bolts_}) pool->show({});
+    for (PropPool* pool : {&drones_, &drones_off_, &cores_, &grenades_, &bolts_}) pool->show({});
     lamps_.show({});
     blasts_.clear();
     last_tick_ = 0;

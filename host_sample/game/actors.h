@@ -28,7 +28,7 @@ private:
     void show_cores(const three_cores::Game& game);
     void show_blasts(const three_cores::Game& game);
 
-    PropPool drones_, cores_, grenades_, bolts_;
+    PropPool drones_, drones_off_, cores_, grenades_, bolts_;
     LampPool lamps_;
     std::vector<Blast> blasts_;
     std::vector<rt_light_desc> lit_; // kept for its memory

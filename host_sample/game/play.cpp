@@ -1,10 +1,9 @@
 #include "play.h"
 
-#include <cmath>
-
 #include "../error.h"
 #include "../paths.h"
 #include "../stats.h"
+#include "backdrop.h"
 #include "unattended.h"
 
 namespace host::game {
@@ -12,7 +11,6 @@ namespace host::game {
 namespace {
 
 constexpr double longest_frame = 0.1; // seconds
-constexpr double lap = 90;            // seconds of the flight behind the title, one way
 
 // A snapshot that stays as it is.
 class Held {
@@ -44,7 +42,6 @@ Play::Play(Arena& arena, Window& window, ui::Ui& ui, const PlayerSettings& setti
            const gameplay::Replay* replay)
     : arena_(arena), window_(window), ui_(ui), session_(arena.session()),
       picture_(session_, window), exposure_(session_),
-      backdrop_(session_.cameras, session_.level.bounds.center(), session_.level.cameras.empty()),
       actors_(arena.stage(), load_props(arena.stage(), content_file("props.glb"))),
       pads_(hid_, read_pad_map(session_.options.pad_map)), settings_(settings) {
     const Options& options = session_.options;
@@ -98,13 +95,15 @@ void Play::poll_pads() {
     }
 }
 
-void Play::obey(const Intent& intent) {
+// A key that opens a menu does nothing more in it.
+void Play::obey(Intent& intent) {
     const bool left = focused_ && !window_.focused();
     focused_ = window_.focused();
     wants_screenshot_ |= intent.screenshot;
     if (screen_ != Screen::playing) return;
     if (intent.pause || left) screen_ = Screen::paused;
     if (intent.options) open_options();
+    if (screen_ != Screen::playing) intent.menu = {};
 }
 
 // The picture of a moment, while the next ticks are played, and what is drawn over it.
@@ -120,7 +119,7 @@ void Play::show(Intent& intent, const Desk& desk, double seconds) {
         } else {
             blocked_ = ~0u;
         }
-        view_ = live_ ? live_->view(settings_.field_of_view) : fly(seconds);
+        view_ = look(seconds);
         render(seconds, held.get());
     }
     if (picture_.visible()) draw_over(intent, desk, seconds, preview);
@@ -135,9 +134,10 @@ void Play::render(double seconds, rt_snapshot snapshot) {
     wants_screenshot_ = false;
 }
 
-Viewpoint Play::fly(double seconds) {
-    flown_ = std::fmod(flown_ + seconds / lap, 2.0);
-    return backdrop_.at(flown_ < 1 ? flown_ : 2 - flown_);
+Viewpoint Play::look(double seconds) {
+    if (live_) return live_->view(settings_.field_of_view);
+    titled_ += seconds;
+    return backdrop(session_.cameras, titled_);
 }
 
 } // namespace host::game

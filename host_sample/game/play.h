@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "../exposure.h"
-#include "../flight.h"
 #include "../pads/linux_hid.h"
 #include "../sound/mixer.h"
 #include "../ui/ui.h"
@@ -35,9 +34,9 @@ private:
     bool done() const;
     void frame();
     void poll_pads();
-    void obey(const Intent& intent);
+    void obey(Intent& intent);
     void show(Intent& intent, const Desk& desk, double seconds);
-    Viewpoint fly(double seconds);
+    Viewpoint look(double seconds);
     void render(double seconds, rt_snapshot snapshot);
 
     // play_round.cpp: from the first tick to the last
@@ -67,7 +66,6 @@ private:
     Session session_;
     Picture picture_;
     Exposure exposure_;
-    Flight backdrop_;
     Actors actors_;
     pads::LinuxHid hid_;
     pads::PadManager pads_;
@@ -85,7 +83,7 @@ private:
     ui::EndScreen end_;
     Viewpoint view_; // of the last frame
     float exposed_ = 1.0f;
-    double flown_ = 0.0;     // of the way behind the title, there and back: 0 to 2
+    double titled_ = 0.0;    // seconds that the picture behind the title was shown
     uint32_t blocked_ = ~0u; // buttons that were held when the round began or went on
     bool focused_ = true, wants_screenshot_ = false, quitting_ = false;
     Clock::time_point before_ = Clock::now();

@@ -1,5 +1,7 @@
 #include "props.h"
 
+#include <algorithm>
+
 #include "gameplay/three_cores/rules.h"
 
 #include "../animation/pose.h"
@@ -12,6 +14,8 @@
 namespace host::game {
 
 namespace {
+
+constexpr const char* names[] = {"drone", "drone_off", "core", "grenade", "bolt"};
 
 // The node of this name that the node is or hangs from; no_index: none.
 uint32_t find_root(const Rig& rig, uint32_t node, const std::string& name) {
@@ -40,11 +44,14 @@ Prop find_prop(Stage& stage, const Level& level, const Uploaded& uploaded,
 } // namespace
 
 Props load_props(Stage& stage, const std::filesystem::path& path) {
-    const Level level =
-        gltf::import_file(path, gltf::no_animation, [](const std::string&) { return true; });
+    const Level level = gltf::import_file(path, gltf::no_animation, [](const std::string& node) {
+        return std::ranges::any_of(names, [&](const char* name) { return node == name; });
+    });
     const Uploaded uploaded = upload_rigid_meshes(stage, level, three_cores::kShown);
-    const auto find = [&](const char* name) { return find_prop(stage, level, uploaded, name); };
-    return {find("drone"), find("core"), find("grenade"), find("bolt")};
+    Prop props[std::size(names)];
+    for (size_t i = 0; i < std::size(names); ++i)
+        props[i] = find_prop(stage, level, uploaded, names[i]);
+    return {props[0], props[1], props[2], props[3], props[4]};
 }
 
 void PropPool::show(std::span<const glm::dmat4> places) {

@@ -20,11 +20,13 @@ struct Prop {
 };
 
 struct Props {
-    Prop drone, core, grenade, bolt; // a drone looks along -Z; a bolt flies along it
+    Prop drone, drone_off; // look along -Z
+    Prop core, grenade;
+    Prop bolt; // flies along -Z
 };
 
-// From nodes of these names in a glTF file, each at its own origin. Throws InputError or
-// EngineError.
+// From nodes of these names in a glTF file, each at its own origin. Throws
+// InputError or EngineError.
 Props load_props(Stage& stage, const std::filesystem::path& path);
 
 // As many instances of a prop as are wanted at a time. Seen after the next commit.
