@@ -6,12 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace peregrine::three_cores {
 namespace {
 
 constexpr size_t kMostPlaces = 6000; // 1500 square metres
-constexpr size_t kFewestPlaces = 16;
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr size_t kCores = 3;
 constexpr double kFarEnough = 80; // metres: a round should take minutes
 constexpr size_t kOpen = 8;       // links of a place in the open
@@ -27,31 +28,25 @@ bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Where to begin goes first; spawns from which nobody could come there go away.
+// Where to begin goes first. Where one could not get away from nobody begins again.
 void order_spawns(Plan& plan, const Spawn& first, const Floors& floors) {
-    std::vector<Spawn> others;
-    const bool is_whole = floors.size() < kMostPlaces;
-    for (const Spawn& spawn : plan.spawns) {
-        const uint32_t node = floors.nearest(spawn.feet);
-        if (spawn.feet != first.feet && (node != Floors::kNone || !is_whole))
-            others.push_back(spawn);
-    }
-    plan.spawns.assign(1, first);
-    plan.spawns.insert(plan.spawns.end(), others.begin(), others.end());
+    std::vector<Spawn> spawns{first};
+    for (const Spawn& spawn : plan.spawns)
+        if (spawn.feet != first.feet && floors.nearest(spawn.feet) != Floors::kNone)
+            spawns.push_back(spawn);
+    plan.spawns = std::move(spawns);
 }
 
 // Distances to what a new place should be far from.
 class Spread {
 public:
-    explicit Spread(const Floors& floors) : floors_(floors) {
+    explicit Spread(const Floors& floors) : floors_(floors), nearest_(floors.size(), kNever) {
         for (uint32_t i = 0; i < floors.size(); ++i)
             open_ = std::clamp(floors.links(i).size(), open_, kOpen);
     }
 
     void keep_away_from(uint32_t node) {
-        if (node == Floors::kNone) return;
         const std::vector<double> distances = distances_from(floors_, node);
-        if (nearest_.empty()) nearest_ = distances;
         for (size_t i = 0; i < nearest_.size(); ++i)
             nearest_[i] = std::min(nearest_[i], distances[i]);
     }
@@ -105,7 +100,7 @@ void complete_plan(Plan& plan, const gameplay::World& world) {
 
     Floors floors(world, walker(), kWalls);
     const uint32_t spawn = floors.explore(start->feet, kMostPlaces);
-    if (floors.size() < kFewestPlaces)
+    if (floors.size() < kFewPlaces)
         throw PlanError("the floor that can be reached is too small for three cores");
     order_spawns(plan, *start, floors);
     if (plan.cores.empty()) place_cores(plan, floors, spawn);

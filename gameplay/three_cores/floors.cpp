@@ -125,11 +125,11 @@ void Floors::try_direction(uint32_t node, uint32_t direction) {
     const Vec3 from = nodes_[node].place;
     const int32_t x = nodes_[node].x + kDirections[direction][0];
     const int32_t z = nodes_[node].z + kDirections[direction][1];
-    const Level* last = nullptr;
+    std::optional<double> last;
     for (const double rise : {0.0, kRise, -kRise}) {
         Level* level = level_from(x, z, from.y + rise);
-        if (!level || level == last) continue;
-        last = level;
+        if (!level || level->height == last) continue;
+        last = level->height;
         if (!level->has_room || !can_go(from, in_cell(x, z, level->height))) continue;
         const uint32_t to = node_of(*level, x, z);
         link(node, to);

@@ -96,6 +96,7 @@ public:
     const gameplay::Character& player() const { return player_; }
     std::span<const Drone> drones() const { return drones_; }
     std::span<const Bolt> bolts() const { return bolts_; }
+    std::span<const Door> doors() const { return doors_; }
     std::span<const Core> cores() const { return cores_; }
     std::span<const Thrown> thrown() const { return thrown_; }
     std::span<const Event> events() const { return events_; } // of the last tick

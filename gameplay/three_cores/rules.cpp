@@ -19,6 +19,7 @@ Rules rules_of(Difficulty difficulty) {
         rules.drone_speed = 1.1;
         rules.charge_seconds = 1.8;
         rules.bolt_speed = 16;
+        rules.lead = 0;
         rules.sentry.range = 17;
         rules.sentry.notice_seconds = 1.6;
         rules.sentry.forget_seconds = 5;
@@ -31,6 +32,7 @@ Rules rules_of(Difficulty difficulty) {
         rules.drone_speed = 1.8;
         rules.charge_seconds = 0.8;
         rules.bolt_speed = 28;
+        rules.lead = 1;
         rules.sentry.range = 28;
         rules.sentry.notice_seconds = 0.55;
         rules.sentry.forget_seconds = 10;

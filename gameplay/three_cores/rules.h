@@ -32,6 +32,7 @@ struct Rules {
     double drone_speed = 1.4;    // m/s
     double drone_turn = 2.0;     // 1/s: how fast a gaze follows
     double charge_seconds = 1.2; // from alarm to a shot, while in sight
+    double lead = 0.6;           // of the way that its target goes meanwhile, a shot allows for
     double bolt_speed = 22;      // m/s
     double fuse_seconds = 3;
     double throw_speed = 13;

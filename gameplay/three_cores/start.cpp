@@ -44,9 +44,9 @@ public:
         return regions_.back().worth >= double(roofs_count ? 2 * kFar : kFar);
     }
 
-    std::optional<Spawn> best() const {
+    std::optional<Spawn> best(size_t least) const {
         const auto best = std::ranges::max_element(regions_, {}, &Region::worth);
-        if (best == regions_.end()) return std::nullopt;
+        if (best == regions_.end() || best->floors.size() < least) return std::nullopt;
         return best->spawn;
     }
 
@@ -129,9 +129,7 @@ std::vector<Vec3> grid(const Plan& plan, int half) {
 } // namespace
 
 gameplay::CharacterRules walker() {
-    gameplay::CharacterRules rules;
-    rules.step_height = 0.46;
-    return rules;
+    return rules_of(Difficulty::normal).character;
 }
 
 void settle_spawns(Plan& plan, const gameplay::World& world) {
@@ -149,7 +147,7 @@ std::optional<Spawn> choose_spawn(const Plan& plan, const gameplay::World& world
     Search search(world);
     for (const Spawn& spawn : plan.spawns)
         if (search.consider(spawn, false)) break;
-    return search.best();
+    return search.best(kFewPlaces);
 }
 
 std::optional<Spawn> find_spawn(const Plan& plan, const gameplay::World& world) {
@@ -162,7 +160,7 @@ std::optional<Spawn> find_spawn(const Plan& plan, const gameplay::World& world) 
                     done = done || search.consider({*feet}, true);
             if (done) break;
         }
-        std::optional<Spawn> spawn = search.best();
+        std::optional<Spawn> spawn = search.best(1);
         if (!spawn) continue;
         spawn->forward = longest_view(world, spawn->feet);
         return spawn;

@@ -49,6 +49,7 @@ using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>
 
 std::vector<double> distances_from(const Floors& floors, uint32_t from) {
     std::vector<double> distances(floors.size(), kNever);
+    if (from >= floors.size()) return distances;
     Queue queue;
     distances[from] = 0;
     queue.emplace(0, from);

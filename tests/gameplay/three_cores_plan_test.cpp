@@ -208,6 +208,20 @@ TEST(ThreeCoresPlan, BeginsWhereOneGetsFar) {
     EXPECT_LT(glm::distance(plan.spawns[1].feet, Vec3(8, 3.2, -8)), 1e-6);
 }
 
+TEST(ThreeCoresPlan, LooksElsewhereIfNoSpawnLeadsAnywhere) {
+    Arena arena;
+    add_house(arena);
+    arena.add_box({20, 0, 0}, {21.2, 0.1, 1.2});
+    arena.commit();
+    Plan plan = unplanned({-10, 0, -10}, {21, 6.6, 10});
+    plan.spawns = {{{20.6, 0.1, 0.6}}};
+    plan.cores = {{500, 1, 500}}; // out of reach: not ours to judge
+    complete_plan(plan, arena.world());
+    ASSERT_EQ(plan.spawns.size(), 1u);
+    EXPECT_LT(plan.spawns[0].feet.x, 10);
+    EXPECT_EQ(plan.exits.size(), 1u);
+}
+
 TEST(ThreeCoresPlan, ManagesOneRoom) {
     Arena arena;
     arena.add_room({0, 0, 0}, {6, 3, 6});

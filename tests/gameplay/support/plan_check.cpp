@@ -1,5 +1,6 @@
 #include "support/plan_check.h"
 
+#include "gameplay/three_cores/rules.h"
 #include "gameplay/three_cores/way.h"
 
 #include <glm/geometric.hpp>
@@ -42,9 +43,7 @@ bool go(Character& character, const Vec3& point) {
 } // namespace
 
 gameplay::CharacterRules plan_walker() {
-    gameplay::CharacterRules rules;
-    rules.step_height = 0.46;
-    return rules;
+    return three_cores::rules_of(three_cores::Difficulty::normal).character;
 }
 
 uint64_t hash(const Plan& plan) {
