@@ -23,7 +23,7 @@ using peregrine::three_cores::Event;
 using peregrine::three_cores::Sound;
 
 constexpr size_t most_waiting = 64; // sounds: more at once are a din
-constexpr auto patience = std::chrono::seconds(1);
+constexpr auto patience = std::chrono::seconds(5);
 
 bool is_everywhere(Sound sound) {
     return sound == Sound::won || sound == Sound::lost || sound == Sound::hurt
@@ -36,14 +36,14 @@ struct Mixer::Shared {
     std::mutex mutex;
     std::condition_variable changed, ended;
     // Guarded by the mutex:
-    bool dirty = false, quit = false, done = false;
+    bool dirty = false, done = false;
     Listener listener;
     double volume = 1.0;
     Loops loops;
     std::vector<Heard> waiting;
     std::optional<std::string> note;
 
-    std::atomic<bool> silent{true};
+    std::atomic<bool> silent{true}, quit{false};
 
     void add(const Heard& heard) {
         if (waiting.size() < most_waiting) waiting.push_back(heard);
@@ -77,7 +77,7 @@ void Mixer::Shared::serve(Player& player) {
 void Mixer::Shared::run() {
     std::string cause;
     try {
-        const auto player = Player::open(cause);
+        const auto player = Player::open(quit, cause);
         if (player) {
             {
                 const std::lock_guard lock(mutex);

@@ -20,15 +20,18 @@ bool varies(Wave wave) { // what is heard often should not sound like a machine
 
 } // namespace
 
-std::unique_ptr<Player> Player::open(std::string& cause) {
+std::unique_ptr<Player> Player::open(const std::atomic<bool>& stop, std::string& cause) {
     ALCdevice* device = alcOpenDevice(nullptr);
     if (!device) {
         cause = "There will be no sound: no sound device can be opened.";
         return nullptr;
     }
     std::unique_ptr<Player> player(new Player(device));
-    if (player->prepare()) return player;
-    cause = "There will be no sound: the sound device refuses to play.";
+    if (player->prepare() && player->fill_buffers(stop)) {
+        player->start_loops();
+        return player;
+    }
+    if (!stop) cause = "There will be no sound: the sound device refuses to play.";
     return nullptr;
 }
 
@@ -39,13 +42,21 @@ bool Player::prepare() {
     alGenBuffers(static_cast<ALsizei>(buffers_.size()), buffers_.data());
     alGenSources(static_cast<ALsizei>(voices_.size()), voices_.data());
     alGenSources(static_cast<ALsizei>(loops_.size()), loops_.data());
-    if (alGetError() != AL_NO_ERROR) return false;
-    for (uint32_t i = 0; i < wave_count; ++i) {
+    alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
+    return alGetError() == AL_NO_ERROR;
+}
+
+// Takes most of a second on a slow machine: who quits at once need not wait.
+bool Player::fill_buffers(const std::atomic<bool>& stop) {
+    for (uint32_t i = 0; i < wave_count && !stop; ++i) {
         const auto samples = make_wave(static_cast<Wave>(i));
         alBufferData(buffers_[i], AL_FORMAT_MONO16, samples.data(),
                      static_cast<ALsizei>(samples.size() * sizeof samples[0]), sample_rate);
     }
-    alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
+    return !stop && alGetError() == AL_NO_ERROR;
+}
+
+void Player::start_loops() {
     constexpr std::array loops = {Wave::night, Wave::tension};
     for (size_t i = 0; i < loops.size(); ++i) {
         alSourcei(loops_[i], AL_BUFFER, static_cast<ALint>(buffers_[index_of(loops[i])]));
@@ -54,7 +65,6 @@ bool Player::prepare() {
         alSourcef(loops_[i], AL_GAIN, 0.0f);
         alSourcePlay(loops_[i]);
     }
-    return alGetError() == AL_NO_ERROR;
 }
 
 Player::~Player() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <memory>
 
 #include <AL/al.h>
@@ -25,9 +26,9 @@ struct Loops {
 // An OpenAL device with all our sounds. One thread at a time.
 class Player {
 public:
-    // Null, and a sentence why, if there is no device. May take seconds where a sound server is
-    // asked.
-    static std::unique_ptr<Player> open(std::string& cause);
+    // Null, and a sentence why, if there is no device; null alone if `stop` became true meanwhile.
+    // May take seconds where a sound server is asked.
+    static std::unique_ptr<Player> open(const std::atomic<bool>& stop, std::string& cause);
     ~Player();
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
@@ -39,6 +40,8 @@ public:
 private:
     explicit Player(ALCdevice* device) : device_(device) {}
     bool prepare();
+    bool fill_buffers(const std::atomic<bool>& stop);
+    void start_loops();
     ALuint free_voice();
 
     ALCdevice* device_;

@@ -79,7 +79,6 @@ void draw_lives(const Canvas& canvas, const Hud& hud) {
                           canvas.size().y - canvas.px(theme::margin + 8.0f));
     for (uint32_t i = 0; i < std::min(std::max(hud.lives, hud.lives_total), most_icons); ++i) {
         const glm::vec2 center = place + glm::vec2(canvas.px(31.0f * static_cast<float>(i)), 0.0f);
-        draw_heart(canvas, center + glm::vec2(canvas.px(1.5f)), 12.0f, {0.0f, 0.0f, 0.0f, 0.5f});
         draw_heart(canvas, center, 12.0f,
                    i < hud.lives ? theme::mixed(theme::red, theme::text, 0.12f)
                                  : Color(0.25f, 0.28f, 0.31f, 0.75f));

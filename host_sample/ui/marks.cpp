@@ -11,7 +11,6 @@ namespace host::ui {
 
 namespace {
 
-constexpr float pi = 3.14159265f;
 constexpr float side_radius = 172.0f; // units: of the ring that points at what is out of view
 
 glm::vec2 towards(float bearing) {
@@ -29,10 +28,10 @@ void draw_side_mark(const Canvas& canvas, const DroneMark& mark) {
     const float filled = half * mark.suspicion;
     canvas.arc(center, side_radius, bearing - filled, bearing + filled, color, 5.0f);
     const glm::vec2 out = towards(bearing), across(-out.y, out.x);
-    const glm::vec2 tip = center + canvas.px(side_radius + 17.0f) * out;
+    const glm::vec2 tip = center + canvas.px(side_radius + 21.0f) * out;
     const glm::vec2 base = center + canvas.px(side_radius + 8.0f) * out;
-    const glm::vec2 corners[] = {tip, base + canvas.px(8.0f) * across,
-                                 base - canvas.px(8.0f) * across};
+    const glm::vec2 corners[] = {tip, base + canvas.px(7.0f) * across,
+                                 base - canvas.px(7.0f) * across};
     canvas.polygon(corners, color);
 }
 

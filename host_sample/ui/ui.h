@@ -34,6 +34,7 @@ struct Frame {
 class Ui {
 public:
     // `modern`: the context is 3.3 or later; else what 2.1 can do. Throws InputError if GL refuses.
+    // The same context has to be current whenever one of these is called, the destructor included.
     explicit Ui(bool modern);
     ~Ui();
     Ui(const Ui&) = delete;
@@ -46,7 +47,7 @@ public:
     Action options(OptionsScreen& screen);
     Action end(const EndScreen& screen);
     void loading(const std::string& text, float fraction); // instead of a screen
-    void end_frame();
+    void end_frame();                                      // draws
 
     // A sentence at the side for a few seconds ("DualSense connected").
     void toast(std::string sentence);

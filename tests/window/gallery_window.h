@@ -14,7 +14,7 @@ public:
     GalleryWindow(const GalleryWindow&) = delete;
     GalleryWindow& operator=(const GalleryWindow&) = delete;
 
-    bool open() const { return window_ != nullptr; }
+    bool open() const { return window_ && !bytes_.empty(); }
     void show_picture();               // as if it was rendered just now
     std::vector<uint8_t> read() const; // RGBA, top row first
     int width() const { return width_; }

@@ -221,6 +221,8 @@ TEST_P(Gallery, Playing) {
     play.hint.text =
         "open the door that leads to the stairs which go down to the cellar below the hall";
     hang("play_long", [&] { ui_->hud(play); });
+    ui_->begin(frame(10.0)); // toasts are gone by then
+    ui_->end_frame();
     const Hud grenade = arc_hud(projection());
     hang("grenade", [&] { ui_->hud(grenade); });
     const Hud alarm = alarm_hud(projection());
