@@ -43,15 +43,19 @@ Prop find_prop(Stage& stage, const Level& level, const Uploaded& uploaded,
 
 } // namespace
 
-Props load_props(Stage& stage, const std::filesystem::path& path) {
-    const Level level = gltf::import_file(path, gltf::no_animation, [](const std::string& node) {
-        return std::ranges::any_of(names, [&](const char* name) { return node == name; });
-    });
+Props find_props(Stage& stage, const Level& level) {
     const Uploaded uploaded = upload_rigid_meshes(stage, level, three_cores::kShown);
     Prop props[std::size(names)];
     for (size_t i = 0; i < std::size(names); ++i)
         props[i] = find_prop(stage, level, uploaded, names[i]);
     return {props[0], props[1], props[2], props[3], props[4]};
+}
+
+Props load_props(Stage& stage, const std::filesystem::path& path) {
+    return find_props(
+        stage, gltf::import_file(path, gltf::no_animation, [](const std::string& node) {
+            return std::ranges::any_of(names, [&](const char* name) { return node == name; });
+        }));
 }
 
 void PropPool::show(std::span<const glm::dmat4> places) {

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include "../level.h"
 #include "../stage.h"
 
 namespace host::game {
@@ -25,8 +26,8 @@ struct Props {
     Prop bolt; // flies along -Z
 };
 
-// From nodes of these names in a glTF file, each at its own origin. Throws
-// InputError or EngineError.
+// From nodes of these names, each at its own origin. Throws InputError or EngineError.
+Props find_props(Stage& stage, const Level& level); // whose nodes are all rigid
 Props load_props(Stage& stage, const std::filesystem::path& path);
 
 // As many instances of a prop as are wanted at a time. Seen after the next commit.

@@ -73,8 +73,9 @@ def play(host, out):
     changed(host, walked, 3, "Escape to pause")
     time.sleep(7)  # toasts go
     paused = save(settled(host), "7_pause")
-    host.press("Down")
-    host.press("Down")
+    for _ in range(2):
+        host.press("Down")
+        time.sleep(0.6)
     save(settled(host), "8_selected")
     return paused
 
@@ -87,7 +88,9 @@ def open_options_and_leave(host, paused, out):
     options.save(out / "game_9_options.png")
     host.press("Escape")
     changed(host, options, 3, "Escape to leave the options")
+    time.sleep(0.6)
     host.press("Down")
+    time.sleep(0.6)
     host.press("Return")
     time.sleep(3)
     host.screen().save(out / "game_a_title_again.png")
