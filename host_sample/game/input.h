@@ -17,7 +17,7 @@ struct Intent {
     ui::MenuInput menu; // directions as they are held
 };
 
-// Keyboard, mouse and the pad that was used last to one intent. docs/three_cores.md lists the keys.
+// Keyboard, mouse and the pad that was used last to one intent. --help lists the keys.
 class Input {
 public:
     Input();

@@ -93,6 +93,10 @@ void Play::apply_settings() {
 }
 
 void Play::keep_settings() {
+    if (!session_.options.sized && !settings_.fullscreen && picture_.visible()) {
+        settings_.width = picture_.width();
+        settings_.height = picture_.height();
+    }
     const std::string mistake = write_settings(settings_path(), settings_);
     if (!mistake.empty()) ui_.toast(mistake);
 }

@@ -80,8 +80,8 @@ def play(host, out):
     return paused
 
 
-def open_options_and_leave(host, paused, out):
-    """The entries of the pause: resume, restart, options, title."""
+def open_options_and_quit(host, paused, out):
+    """The entries of the pause: resume, restart, options, title. The last of the title: quit."""
     host.press("Return")
     options = changed(host, paused, 3, "the options")
     options = settled(host)
@@ -94,7 +94,11 @@ def open_options_and_leave(host, paused, out):
     host.press("Return")
     time.sleep(3)
     host.screen().save(out / "game_a_title_again.png")
-    host.xdotool("windowclose", host.window)
+    host.press("Up")  # around the top: the last entry
+    time.sleep(0.6)
+    host.press("Return")
+    host.process.wait(60)
+    assert host.process.returncode == 0, f"exit status {host.process.returncode}"
 
 
 def main():
@@ -108,8 +112,7 @@ def main():
     with Display() as display:
         with Host(display, arguments.program, "--mute", "--seed", "7", "--record", str(record)) as host:
             paused = play(host, arguments.out)
-            open_options_and_leave(host, paused, arguments.out)
-            host.wait_for(record.exists, 60, "the record of the round")
+            open_options_and_quit(host, paused, arguments.out)
     again = subprocess.run(
         [arguments.program, "--headless", "--quiet", "--replay", str(record)],
         capture_output=True,
