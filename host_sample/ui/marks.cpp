@@ -28,10 +28,10 @@ void draw_side_mark(const Canvas& canvas, const DroneMark& mark) {
     const float filled = half * mark.suspicion;
     canvas.arc(center, side_radius, bearing - filled, bearing + filled, color, 5.0f);
     const glm::vec2 out = towards(bearing), across(-out.y, out.x);
-    const glm::vec2 tip = center + canvas.px(side_radius + 21.0f) * out;
-    const glm::vec2 base = center + canvas.px(side_radius + 8.0f) * out;
-    const glm::vec2 corners[] = {tip, base + canvas.px(7.0f) * across,
-                                 base - canvas.px(7.0f) * across};
+    const glm::vec2 tip = center + canvas.px(side_radius + 25.0f) * out;
+    const glm::vec2 base = center + canvas.px(side_radius + 7.0f) * out;
+    const glm::vec2 corners[] = {tip, base + canvas.px(5.5f) * across,
+                                 base - canvas.px(5.5f) * across};
     canvas.polygon(corners, color);
 }
 
