@@ -203,6 +203,12 @@ void Window::set_fullscreen(bool fullscreen) {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+void Window::resize(int width, int height) {
+    place_[2] = width;
+    place_[3] = height;
+    if (!glfwGetWindowMonitor(window_)) glfwSetWindowSize(window_, width, height);
+}
+
 void Window::present() {
     glfwSwapBuffers(window_);
     glfwPollEvents();

@@ -24,7 +24,8 @@ public:
     void framebuffer_size(int& width, int& height) const;
     void set_title(const std::string& title);
     void set_fullscreen(bool fullscreen);
-    void present(); // swaps and polls
+    void resize(int width, int height); // also what a full screen goes back to
+    void present();                     // swaps and polls
 
     Desk take_desk(); // and begins anew
     bool captured() const { return desk_.captured; }

@@ -43,7 +43,7 @@ Play::Play(Arena& arena, Window& window, ui::Ui& ui, const PlayerSettings& setti
     : arena_(arena), window_(window), ui_(ui), session_(arena.session()),
       picture_(session_, window), exposure_(session_),
       actors_(arena.stage(), load_props(arena.stage(), content_file("props.glb"))),
-      pads_(hid_, read_pad_map(session_.options.pad_map)), settings_(settings) {
+      pads_(hid_, read_pad_map(session_.options.pad_map)), settings_(settings), applied_(settings) {
     const Options& options = session_.options;
     if (!options.mute) mixer_ = std::make_unique<sound::Mixer>();
     std::string note;

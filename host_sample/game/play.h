@@ -70,7 +70,7 @@ private:
     pads::LinuxHid hid_;
     pads::PadManager pads_;
     std::unique_ptr<sound::Mixer> mixer_; // null: --mute
-    PlayerSettings settings_;
+    PlayerSettings settings_, applied_;
     Scores scores_;
     Input input_;
     ui::Repeater repeater_;

@@ -90,13 +90,12 @@ void Play::open_options() {
 void Play::apply_settings() {
     if (mixer_) mixer_->set_volume(settings_.volume / 100.0);
     window_.set_fullscreen(settings_.fullscreen);
+    if (settings_.width != applied_.width || settings_.height != applied_.height)
+        window_.resize(settings_.width, settings_.height);
+    applied_ = settings_;
 }
 
 void Play::keep_settings() {
-    if (!session_.options.sized && !settings_.fullscreen && picture_.visible()) {
-        settings_.width = picture_.width();
-        settings_.height = picture_.height();
-    }
     const std::string mistake = write_settings(settings_path(), settings_);
     if (!mistake.empty()) ui_.toast(mistake);
 }
