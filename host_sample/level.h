@@ -94,6 +94,7 @@ struct Level {
     std::vector<Light> lights;
     std::vector<Viewpoint> cameras;
     std::vector<Viewpoint> spawns;
+    std::vector<Viewpoint> places;  // the other nodes that have a name and nothing else
     Bounds bounds;                  // of the finite vertices, at rest
     std::vector<std::string> notes; // what was ignored or replaced, a sentence each
 

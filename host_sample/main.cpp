@@ -6,13 +6,13 @@
 
 #include "cameras.h"
 #include "error.h"
-#include "gltf/import.h"
+#include "game/command.h"
 #include "headless.h"
+#include "loading.h"
 #include "options.h"
 #include "pads/linux_hid.h"
 #include "pads/listing.h"
 #include "pads/player_mappings.h"
-#include "paths.h"
 #include "plugin.h"
 #include "session.h"
 #include "stats.h"
@@ -22,20 +22,6 @@
 namespace host {
 
 namespace {
-
-Level load_level(const Options& options) {
-    Level level = gltf::import_file(options.scene.empty() ? default_scene() : options.scene,
-                                    options.animation);
-    if (level.triangle_count() == 0)
-        throw InputError("the scene file " + level.name + " has no triangles to show");
-    if (level.lights.empty()) {
-        level.lights.push_back(default_light());
-        level.notes.push_back("the scene has no lights and gets a sun");
-    }
-    if (!options.quiet)
-        for (const std::string& note : level.notes) std::cerr << "note: " << note << "\n";
-    return level;
-}
 
 int list_cameras(const std::vector<Viewpoint>& cameras) {
     for (size_t i = 0; i < cameras.size(); ++i) {
@@ -92,9 +78,8 @@ int list_pads(const Options& options) {
     return 0;
 }
 
-int run(const Options& options) {
-    if (options.list_pads) return list_pads(options);
-    const Level level = load_level(options);
+int view(const Options& options) {
+    const Level level = load_level(options, options.animation);
     auto cameras = usable_cameras(level);
     const size_t camera = find_camera(cameras, options.camera);
     if (options.list_cameras) return list_cameras(cameras);
@@ -108,6 +93,13 @@ int run(const Options& options) {
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);
     return 0;
+}
+
+int run(const Options& options) {
+    if (options.list_pads) return list_pads(options);
+    if (options.game())
+        if (const auto status = game::run(options)) return *status;
+    return view(options);
 }
 
 int fail(int status, const std::string& sentence) {

@@ -36,8 +36,21 @@ const std::map<std::string, rt_structure> structures = {{"auto", RT_STRUCTURE_AU
 const std::map<std::string, rt_build_quality> builds = {
     {"balanced", RT_BUILD_BALANCED}, {"fast", RT_BUILD_FAST}, {"best", RT_BUILD_BEST}};
 
+const std::map<std::string, peregrine::three_cores::Difficulty> difficulties = {
+    {"easy", peregrine::three_cores::Difficulty::easy},
+    {"normal", peregrine::three_cores::Difficulty::normal},
+    {"hard", peregrine::three_cores::Difficulty::hard}};
+
 constexpr const char* keys_text = R"(
-In the window:
+In the game (a gamepad's buttons are listed in its options):
+  mouse, arrows    look around
+  W A S D          walk; Shift runs, Ctrl or C crouches, Space jumps
+  left button, G   hold a grenade; let go to throw it
+  E                doors and lifts
+  Esc, P           pause
+  F12              write a screenshot
+
+With --view-only:
   mouse, arrows    look around (click to capture the mouse, Esc to release it)
   W A S D          move; Shift runs
   Space, Ctrl      up and down while flying
@@ -47,7 +60,8 @@ In the window:
   Esc              release the mouse; pressed again, quit
 
 Without a display the fly-through of --headless is rendered instead.
-Exit status: 0 done, 1 the engine failed, 2 something that was given cannot be used.)";
+Exit status: 0 done, 1 the engine failed, 2 something that was given cannot be used; of --replay and
+--bot without a window: 0 won, 3 not won, 4 the replay went astray.)";
 
 template <class T>
 const char* find_name(const std::map<std::string, T>& names, T value, const char* otherwise) {
@@ -83,11 +97,27 @@ void parse_size(const std::string& text, Options& options) {
 // The texts of options that need more than CLI11's own parsing.
 struct Texts {
     std::string size = "1280x720", view = "shaded", isa, structure = "auto", build = "balanced";
+    std::string difficulty;
     uint32_t frames = 0;
 };
 
+void declare_game(CLI::App& app, Options& options, Texts& texts) {
+    app.add_option("--difficulty", texts.difficulty,
+                   "easy, normal or hard [as it was chosen last]");
+    app.add_option("--seed", options.seed, "of what is random in a round [another every time]")
+        ->check(CLI::Range(uint64_t{0}, (uint64_t{1} << 56) - 1));
+    app.add_option("--record", options.record, "file to write the last round to, as a replay");
+    app.add_option("--replay", options.replay,
+                   "a recorded round to show; with --headless to play as fast as it goes, which "
+                   "ends with WON or LOST and the hash of the state");
+    app.add_flag("--bot", options.bot, "the program plays; with --headless as fast as it goes");
+    app.add_flag("--mute", options.mute, "no sound");
+}
+
 void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--scene", options.scene, "a .glb or .gltf file [content/hall.glb]");
+    app.add_flag("--view-only", options.view_only, "look around in the scene; no game");
+    declare_game(app, options, texts);
     app.add_option("--camera", options.camera, "name or index of a camera of the scene [0]");
     app.add_option("--animation", options.animation,
                    "name or index of an animation of the scene, or none [all at once]");
@@ -99,7 +129,8 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
                    "seconds from frame to frame without a window [fly-through: 0.2; else 1/30]")
         ->check(CLI::Range(0.0, 1e6));
     app.add_option("--size", texts.size, "WIDTHxHEIGHT of the frame, in pixels [1280x720]");
-    app.add_option("--scale", options.scale, "frame size as a part of the window's [1]")
+    app.add_option("--scale", options.scale,
+                   "frame size as a part of the window's [game: as its options say; else 1]")
         ->check(CLI::Range(0.25, 1.0));
     app.add_option("--frames", texts.frames,
                    "frames to render, then quit [window: until closed; --out: 1; else 24]")
@@ -129,15 +160,32 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--pad-map", options.pad_map,
                    "a file that maps buttons and axes of gamepads (docs/gamepads.md) [none]");
     app.add_option("--library", options.library,
-                   "the engine [$PEREGRINE_LIBRARY, else libperegrine.so beside this program]");
+                   "the engine, or a manifest that names it [$PEREGRINE_LIBRARY, else beside this "
+                   "program]");
     app.add_flag("--quiet", options.quiet, "say nothing but errors");
     app.set_version_flag("--version", std::string("peregrine_play ") + PEREGRINE_VERSION);
     app.footer(keys_text);
 }
 
+void interpret_game(const Options& options) {
+    const bool unattended = options.bot || !options.replay.empty();
+    if (options.bot && !options.replay.empty())
+        throw InputError("--bot plays and --replay shows what was played: give one of them");
+    if (!options.replay.empty() && (options.seed || options.difficulty))
+        throw InputError("a replay has its own seed and difficulty: leave --seed and --difficulty "
+                         "out");
+    if (options.view_only && (unattended || !options.record.empty()))
+        throw InputError("--view-only is no game: leave --bot, --replay and --record out");
+    if (unattended && !options.out.empty())
+        throw InputError("--out writes pictures of the scene: leave --bot and --replay out");
+    if (options.headless && !unattended && !options.record.empty())
+        throw InputError("without a window --record needs --bot: nobody else plays");
+}
+
 void interpret(const CLI::App& app, const Texts& texts, Options& options) {
     parse_size(texts.size, options);
-    if (!std::isfinite(options.scale + options.exposure.value_or(1.0f) + options.ambient))
+    if (!std::isfinite(options.scale.value_or(1.0f) + options.exposure.value_or(1.0f)
+                       + options.ambient))
         throw InputError("--scale, --exposure and --ambient take finite numbers");
     if (!std::isfinite(options.time + options.time_step.value_or(0.0)))
         throw InputError("--time and --time-step take finite numbers");
@@ -145,19 +193,24 @@ void interpret(const CLI::App& app, const Texts& texts, Options& options) {
     options.structure = find_value(structures, texts.structure, "--structure");
     options.build = find_value(builds, texts.build, "--build");
     if (app.count("--frames") > 0) options.frames = texts.frames;
+    options.sized = app.count("--size") > 0;
+    if (!texts.difficulty.empty())
+        options.difficulty = find_value(difficulties, texts.difficulty, "--difficulty");
     const char* variable = std::getenv("PEREGRINE_ISA");
     if (!texts.isa.empty())
         options.isa = find_value(isas, texts.isa, "--isa");
     else if (variable && *variable)
         options.isa = find_value(isas, variable, "PEREGRINE_ISA");
     if (!options.out.empty() && !options.headless)
-        throw InputError("--out needs --headless; in a window, P writes a screenshot");
+        throw InputError("--out needs --headless; in a window, F12 writes a screenshot");
+    interpret_game(options);
 }
 
 } // namespace
 
 ParsedOptions parse_options(int argc, const char* const* argv) {
-    CLI::App app("Shows a scene with the Peregrine ray tracer.", "peregrine_play");
+    CLI::App app("A game, and a viewer of scenes, with the Peregrine ray tracer.",
+                 "peregrine_play");
     Options options;
     options.threads = std::clamp(std::thread::hardware_concurrency(), 1u, 256u);
     Texts texts;

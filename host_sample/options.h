@@ -6,6 +6,8 @@
 
 #include <peregrine/rt.h>
 
+#include "gameplay/three_cores/rules.h"
+
 namespace host {
 
 struct Options {
@@ -15,6 +17,7 @@ struct Options {
     double time = 0.0;               // seconds, at the first frame
     std::optional<double> time_step; // seconds from frame to frame without a window
     uint32_t width = 1280, height = 720;
+    bool sized = false; // by --size
     std::optional<uint32_t> frames;
     std::string out;
     bool headless = false;
@@ -26,13 +29,25 @@ struct Options {
     rt_build_quality build = RT_BUILD_BALANCED;
     std::optional<float> exposure; // none: adapts to the view
     float ambient = 0.15f;
-    float scale = 1.0f;
+    std::optional<float> scale; // none: 1, or in the game as the player has set it
     bool no_shadows = false;
     bool list_cameras = false;
     bool list_pads = false;
     std::string pad_map; // a file; see pads/player_mappings.h
     std::string library; // empty: see plugin.h
     bool quiet = false;
+
+    bool view_only = false; // no game
+    std::optional<peregrine::three_cores::Difficulty> difficulty;
+    std::optional<uint64_t> seed;
+    std::string record, replay; // files
+    bool bot = false, mute = false;
+
+    // Pictures and looking around are not the game; playing without a window is.
+    bool game() const {
+        const bool unattended = bot || !replay.empty();
+        return !view_only && !list_cameras && (!headless || unattended);
+    }
 };
 
 // Either options, or a text to print and the status to exit with: 0 for --help and --version, 2

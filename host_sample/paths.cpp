@@ -14,8 +14,8 @@ std::filesystem::path executable_folder() {
     return error ? std::filesystem::path(".") : link.parent_path();
 }
 
-std::string default_scene() {
-    const std::filesystem::path name = "hall.glb", here = executable_folder();
+std::string content_file(const std::string& name) {
+    const std::filesystem::path here = executable_folder();
     for (const std::filesystem::path& folder :
          {std::filesystem::path("content"), here / "content", here / "../content",
           here / "../share/peregrine/content", std::filesystem::path(PEREGRINE_CONTENT_DIR)}) {
@@ -23,7 +23,8 @@ std::string default_scene() {
         if (std::filesystem::is_regular_file(folder / name, error))
             return (folder / name).lexically_normal().string();
     }
-    throw InputError("the default scene content/hall.glb is not there: name one with --scene FILE");
+    throw InputError("the file content/" + name
+                     + " is not there: start this program from the folder that has it");
 }
 
 } // namespace host

@@ -8,7 +8,7 @@ namespace host {
 // Where this program lies; the current folder if that cannot be told.
 std::filesystem::path executable_folder();
 
-// The scene that is shown when none is named. Throws InputError if it is nowhere to be found.
-std::string default_scene();
+// A file of the folder "content". Throws InputError if it is nowhere to be found.
+std::string content_file(const std::string& name);
 
 } // namespace host

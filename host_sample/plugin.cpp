@@ -6,6 +6,7 @@
 #include <dlfcn.h>
 
 #include "error.h"
+#include "manifest.h"
 #include "paths.h"
 
 namespace host {
@@ -20,7 +21,7 @@ std::string choose_library(const std::string& wanted) {
         return variable;
     const std::filesystem::path here = executable_folder();
     for (const char* folder : {".", "../lib", ".."})
-        for (const char* name : {"libperegrine.so", soname}) {
+        for (const char* name : {manifest_name, "libperegrine.so", soname}) {
             const auto candidate = (here / folder / name).lexically_normal();
             std::error_code error;
             if (std::filesystem::exists(candidate, error)) return candidate.string();
@@ -31,6 +32,11 @@ std::string choose_library(const std::string& wanted) {
 } // namespace
 
 Plugin::Plugin(const std::string& library) : path_(choose_library(library)) {
+    if (std::filesystem::path(path_).extension() == ".json") {
+        const Manifest manifest = read_manifest(path_);
+        path_ = manifest.library.string();
+        entry_ = manifest.entry;
+    }
     open();
     try {
         find_api();
@@ -62,9 +68,9 @@ void Plugin::open() {
 }
 
 void Plugin::find_api() {
-    const auto get_api = reinterpret_cast<rt_get_api_function>(dlsym(library_, "rt_get_api"));
+    const auto get_api = reinterpret_cast<rt_get_api_function>(dlsym(library_, entry_.c_str()));
     if (!get_api)
-        throw InputError(path_ + " is no Peregrine library: it does not export rt_get_api");
+        throw InputError(path_ + " is no Peregrine library: it does not export " + entry_);
     api_ = get_api(RT_API_VERSION);
     if (!api_)
         throw InputError("the library " + path_ + " does not speak version "

@@ -9,8 +9,9 @@ namespace host {
 // The engine, loaded by hand. Nothing of it is linked: this is how a game with plugins uses it.
 class Plugin {
 public:
-    // `library` is a file's name; when empty, $PEREGRINE_LIBRARY, then the places beside this
-    // program, then the system's library path are tried. Throws InputError.
+    // `library` names a library or a manifest (manifest.h: *.json); when empty, $PEREGRINE_LIBRARY,
+    // then the places beside this program, then the system's library path are tried. Throws
+    // InputError.
     explicit Plugin(const std::string& library);
     ~Plugin();
     Plugin(const Plugin&) = delete;
@@ -24,6 +25,7 @@ private:
     void find_api();
 
     std::string path_;
+    std::string entry_ = "rt_get_api";
     void* library_ = nullptr;
     const rt_api* api_ = nullptr;
 };

@@ -58,6 +58,7 @@ rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, voi
     desc.exposure = frame.exposure;
     desc.depth_range = frame.depth_range;
     desc.no_shadows = frame.no_shadows ? 1 : 0;
+    desc.snapshot = frame.snapshot;
     rt_frame_stats stats = rt_default_frame_stats();
     check(api_.render_frame(scene_, &camera, &desc, &stats), "rendering a frame");
     return stats;

@@ -16,6 +16,7 @@ struct Frame {
     float exposure = 1.0f;
     float depth_range = 50.0f;
     bool no_shadows = false;
+    rt_snapshot snapshot{}; // null: the current one
 };
 
 // A scene of the engine. Throws EngineError with the engine's own sentence.

@@ -19,11 +19,18 @@ rt_wrap to_wrap(Wrap wrap) {
 
 class Uploader {
 public:
-    Uploader(Stage& stage, const Level& level) : stage_(stage), level_(level) {}
-
-    Uploaded run(float ambient) {
+    Uploader(Stage& stage, const Level& level, uint32_t layer_mask)
+        : stage_(stage), level_(level), layer_mask_(layer_mask) {
         for (const Texture& texture : level_.textures) add_texture(texture);
         for (const Material& material : level_.materials) add_material(material);
+    }
+
+    Uploaded run_rigid() {
+        for (const RigidMesh& rigid : level_.rigid_meshes) add_rigid_mesh(rigid);
+        return std::move(uploaded_);
+    }
+
+    Uploaded run(float ambient) {
         const rt_api& api = stage_.api();
         for (const Mesh& mesh : level_.meshes) add_mesh(mesh, api.add_static_mesh);
         for (const RigidMesh& rigid : level_.rigid_meshes) add_rigid_mesh(rigid);
@@ -95,6 +102,7 @@ private:
         desc.texcoords1 = to_array(mesh.texcoords1);
         desc.indices = to_array(mesh.indices);
         desc.materials = to_array(materials);
+        desc.layer_mask = layer_mask_;
         rt_mesh handle{};
         stage_.check(add(stage_.scene(), &desc, &handle), "adding a mesh");
         return handle;
@@ -133,6 +141,7 @@ private:
 
     Stage& stage_;
     const Level& level_;
+    uint32_t layer_mask_;
     std::vector<rt_texture> textures_;
     std::vector<rt_material> materials_;
     Uploaded uploaded_;
@@ -156,7 +165,11 @@ rt_light_desc describe_light(const Light& light) {
 
 Uploaded upload_level(Stage& stage, const Level& level, float ambient) {
     static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16);
-    return Uploader(stage, level).run(ambient);
+    return Uploader(stage, level, ~0u).run(ambient);
+}
+
+Uploaded upload_rigid_meshes(Stage& stage, const Level& level, uint32_t layer_mask) {
+    return Uploader(stage, level, layer_mask).run_rigid();
 }
 
 } // namespace host

@@ -18,6 +18,9 @@ struct Uploaded {
 // that suits it. Throws EngineError.
 Uploaded upload_level(Stage& stage, const Level& level, float ambient);
 
+// Only the rigid meshes and what they look like; in these layers. Throws EngineError.
+Uploaded upload_rigid_meshes(Stage& stage, const Level& level, uint32_t layer_mask);
+
 // Calls of the engine want arrays of components; GLM's vectors are exactly that.
 template <class T>
 rt_array to_array(const std::vector<T>& values) {

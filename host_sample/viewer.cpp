@@ -10,6 +10,8 @@
 #include "headless.h"
 #include "image_file.h"
 #include "presenter.h"
+#include "probe.h"
+#include "walker.h"
 
 namespace host {
 
@@ -18,6 +20,20 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double longest_step = 0.1; // seconds: a slow frame must not carry anyone through a wall
+constexpr float radians_per_pixel = 0.0022f;
+constexpr float arrow_turn = 1.8f; // radians a second
+
+Controls controls_of(const Desk& desk) {
+    Controls controls;
+    controls.forward = desk.axis(Key::w, Key::s);
+    controls.right = desk.axis(Key::d, Key::a);
+    controls.up = desk.axis(Key::space, Key::control);
+    controls.run = desk.held.has(Key::shift);
+    controls.turn = -radians_per_pixel * desk.motion;
+    controls.turn_rate =
+        arrow_turn * glm::vec2(desk.axis(Key::left, Key::right), desk.axis(Key::up, Key::down));
+    return controls;
+}
 
 class Viewer {
 public:
@@ -25,6 +41,7 @@ public:
         : session_(session), window_(window), exposure_(session), presenter_(window.modern_gl()),
           probe_(session.stage), walker_(probe_), view_(session.options.view) {
         walker_.place(session.viewpoint());
+        window.capture_mouse(true);
     }
 
     void run() {
@@ -34,8 +51,9 @@ public:
             const double seconds = std::chrono::duration<double>(now - before).count();
             before = now;
             session_.show_moment(session_.player.time() + seconds);
-            obey(window_.take_presses());
-            move(window_.controls(), std::min(seconds, longest_step));
+            const Desk desk = window_.take_desk();
+            obey(desk);
+            move(controls_of(desk), std::min(seconds, longest_step));
             now_exposure_ = exposure_.drift(walker_.viewpoint(), std::min(seconds, longest_step));
             show_frame();
             update_title(now);
@@ -48,16 +66,20 @@ private:
         return frames && session_.log.count() >= *frames;
     }
 
-    void obey(const Presses& presses) {
-        if (presses.toggle_walking % 2 == 1) walker_.toggle_walking();
-        view_ = static_cast<rt_view>((static_cast<uint32_t>(view_) + presses.next_view)
-                                     % (RT_VIEW_STEPS + 1));
-        if (presses.next_camera > 0) {
-            session_.camera = (session_.camera + presses.next_camera) % session_.cameras.size();
+    void obey(const Desk& desk) {
+        const Keys& pressed = desk.pressed;
+        if (pressed.has(Key::mouse)) window_.capture_mouse(true);
+        if (pressed.has(Key::f)) walker_.toggle_walking();
+        if (pressed.has(Key::v)) view_ = (view_ + 1) % (RT_VIEW_STEPS + 1);
+        if (pressed.has(Key::c)) {
+            session_.camera = (session_.camera + 1) % session_.cameras.size();
             walker_.place(session_.viewpoint());
             riding_ = true;
         }
-        if (presses.screenshot > 0) write_screenshot();
+        if (pressed.has(Key::p) || pressed.has(Key::f12)) write_screenshot();
+        if (!pressed.has(Key::escape)) return;
+        if (!desk.captured) window_.close();
+        window_.capture_mouse(false);
     }
 
     // A camera that moves takes the viewer along until they move themselves.
@@ -71,7 +93,7 @@ private:
 
     Frame frame_of(int window_width, int window_height) const {
         const auto scaled = [&](int side) {
-            const float size = static_cast<float>(side) * session_.options.scale;
+            const float size = static_cast<float>(side) * session_.options.scale.value_or(1.0f);
             return static_cast<uint32_t>(std::clamp(size, 1.0f, 16384.0f));
         };
         Frame frame = session_.frame(scaled(window_width), scaled(window_height));

@@ -1,15 +1,13 @@
 #include "window.h"
 
 #include <cstdlib>
+#include <optional>
 
 #include <GLFW/glfw3.h>
 
 namespace host {
 
 namespace {
-
-constexpr float radians_per_pixel = 0.0022f;
-constexpr float arrow_turn = 1.8f; // radians a second
 
 GLFWwindow* create(int width, int height, bool modern) {
     glfwDefaultWindowHints();
@@ -34,6 +32,56 @@ bool has_display() {
         return value && *value;
     };
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+std::optional<Key> to_key(int code) {
+    switch (code) {
+    case GLFW_KEY_W:
+        return Key::w;
+    case GLFW_KEY_A:
+        return Key::a;
+    case GLFW_KEY_S:
+        return Key::s;
+    case GLFW_KEY_D:
+        return Key::d;
+    case GLFW_KEY_UP:
+        return Key::up;
+    case GLFW_KEY_DOWN:
+        return Key::down;
+    case GLFW_KEY_LEFT:
+        return Key::left;
+    case GLFW_KEY_RIGHT:
+        return Key::right;
+    case GLFW_KEY_LEFT_SHIFT:
+    case GLFW_KEY_RIGHT_SHIFT:
+        return Key::shift;
+    case GLFW_KEY_LEFT_CONTROL:
+    case GLFW_KEY_RIGHT_CONTROL:
+        return Key::control;
+    case GLFW_KEY_C:
+        return Key::c;
+    case GLFW_KEY_E:
+        return Key::e;
+    case GLFW_KEY_F:
+        return Key::f;
+    case GLFW_KEY_G:
+        return Key::g;
+    case GLFW_KEY_P:
+        return Key::p;
+    case GLFW_KEY_V:
+        return Key::v;
+    case GLFW_KEY_SPACE:
+        return Key::space;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+        return Key::enter;
+    case GLFW_KEY_ESCAPE:
+        return Key::escape;
+    case GLFW_KEY_F12:
+        return Key::f12;
+    default:
+        return std::nullopt;
+    }
 }
 
 Window& of(GLFWwindow* window) {
@@ -69,7 +117,6 @@ Window::Window(GLFWwindow* window, bool modern) : window_(window), modern_(moder
     glfwMakeContextCurrent(window);
     glfwSwapInterval(0); // frames come when they are ready: their time is on show
     install_callbacks();
-    capture_mouse(true);
 }
 
 Window::~Window() {
@@ -84,62 +131,54 @@ void Window::install_callbacks() {
     });
     glfwSetCursorPosCallback(
         window_, [](GLFWwindow* window, double x, double y) { of(window).on_cursor(x, y); });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int action, int) {
-        if (action == GLFW_PRESS) of(window).capture_mouse(true);
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+        of(window).on_button(button, action);
     });
-    // A key that is let go over another window must not stay held.
-    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
-        if (focused) return;
-        for (bool& held : of(window).held_) held = false;
-    });
+    glfwSetWindowFocusCallback(
+        window_, [](GLFWwindow* window, int focused) { of(window).on_focus(focused != 0); });
 }
 
 void Window::capture_mouse(bool captured) {
-    captured_ = captured;
+    if (captured == desk_.captured) return;
+    desk_.captured = captured;
     has_cursor_ = false;
     glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
 }
 
-void Window::on_key(int key, int action) {
-    if (key < 0 || key >= static_cast<int>(std::size(held_))) return;
-    held_[key] = action != GLFW_RELEASE;
-    if (action != GLFW_PRESS) return;
-    switch (key) {
-    case GLFW_KEY_F:
-        ++presses_.toggle_walking;
-        break;
-    case GLFW_KEY_V:
-        ++presses_.next_view;
-        break;
-    case GLFW_KEY_C:
-        ++presses_.next_camera;
-        break;
-    case GLFW_KEY_P:
-    case GLFW_KEY_F12:
-        ++presses_.screenshot;
-        break;
-    case GLFW_KEY_ESCAPE:
-        if (captured_)
-            capture_mouse(false);
-        else
-            glfwSetWindowShouldClose(window_, GLFW_TRUE);
-        break;
-    default:
-        break;
-    }
+void Window::on_key(int code, int action) {
+    const auto key = to_key(code);
+    if (!key || action == GLFW_REPEAT) return;
+    desk_.held.set(*key, action == GLFW_PRESS);
+    if (action == GLFW_PRESS) desk_.pressed.set(*key);
+}
+
+void Window::on_button(int button, int action) {
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    desk_.held.set(Key::mouse, action == GLFW_PRESS);
+    if (action == GLFW_PRESS) desk_.pressed.set(Key::mouse);
 }
 
 void Window::on_cursor(double x, double y) {
-    if (captured_ && has_cursor_)
-        turn_ += glm::vec2(static_cast<float>(cursor_x_ - x), static_cast<float>(cursor_y_ - y))
-                 * radians_per_pixel;
+    const glm::dvec2 way(x - cursor_x_, y - cursor_y_);
+    if (desk_.captured && has_cursor_) desk_.motion += glm::vec2(way);
+    if (has_cursor_) desk_.pointer_moved = true;
     cursor_x_ = x;
     cursor_y_ = y;
     has_cursor_ = true;
 }
 
+// A key that is let go over another window must not stay held.
+void Window::on_focus(bool focused) {
+    focused_ = focused;
+    if (!focused) desk_.held.clear();
+}
+
 bool Window::closing() const {
     return glfwWindowShouldClose(window_) != 0;
+}
+
+void Window::close() {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
 
 void Window::framebuffer_size(int& width, int& height) const {
@@ -150,33 +189,43 @@ void Window::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }
 
+void Window::set_fullscreen(bool fullscreen) {
+    if (fullscreen == (glfwGetWindowMonitor(window_) != nullptr)) return;
+    if (!fullscreen) {
+        glfwSetWindowMonitor(window_, nullptr, place_[0], place_[1], place_[2], place_[3], 0);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return;
+    glfwGetWindowPos(window_, &place_[0], &place_[1]);
+    glfwGetWindowSize(window_, &place_[2], &place_[3]);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::resize(int width, int height) {
+    place_[2] = width;
+    place_[3] = height;
+    if (!glfwGetWindowMonitor(window_)) glfwSetWindowSize(window_, width, height);
+}
+
 void Window::present() {
     glfwSwapBuffers(window_);
     glfwPollEvents();
 }
 
-Controls Window::controls() {
-    const auto axis = [this](int positive, int negative) {
-        return (held_[positive] ? 1.0f : 0.0f) - (held_[negative] ? 1.0f : 0.0f);
-    };
-    Controls controls;
-    controls.forward = axis(GLFW_KEY_W, GLFW_KEY_S);
-    controls.right = axis(GLFW_KEY_D, GLFW_KEY_A);
-    controls.up = axis(GLFW_KEY_SPACE, GLFW_KEY_LEFT_CONTROL);
-    if (held_[GLFW_KEY_RIGHT_CONTROL]) controls.up -= 1.0f;
-    controls.run = held_[GLFW_KEY_LEFT_SHIFT] || held_[GLFW_KEY_RIGHT_SHIFT];
-    controls.turn = turn_;
-    controls.turn_rate =
-        arrow_turn
-        * glm::vec2(axis(GLFW_KEY_LEFT, GLFW_KEY_RIGHT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
-    turn_ = glm::vec2(0.0f);
-    return controls;
-}
-
-Presses Window::take_presses() {
-    const Presses presses = presses_;
-    presses_ = {};
-    return presses;
+Desk Window::take_desk() {
+    int window_width = 0, window_height = 0, width = 0, height = 0;
+    glfwGetWindowSize(window_, &window_width, &window_height);
+    framebuffer_size(width, height);
+    if (window_width > 0 && window_height > 0)
+        desk_.pointer = glm::vec2(glm::dvec2(cursor_x_, cursor_y_) * glm::dvec2(width, height)
+                                  / glm::dvec2(window_width, window_height));
+    const Desk desk = desk_;
+    desk_.pressed.clear();
+    desk_.motion = glm::vec2(0.0f);
+    desk_.pointer_moved = false;
+    return desk;
 }
 
 } // namespace host

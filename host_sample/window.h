@@ -3,16 +3,11 @@
 #include <memory>
 #include <string>
 
-#include "walker.h"
+#include "desk.h"
 
 struct GLFWwindow;
 
 namespace host {
-
-// How often what was pressed since the last poll.
-struct Presses {
-    uint32_t toggle_walking = 0, next_view = 0, next_camera = 0, screenshot = 0;
-};
 
 // A window with a GL context, and the mouse and keyboard that belong to it.
 class Window {
@@ -25,27 +20,32 @@ public:
 
     bool modern_gl() const { return modern_; } // 3.3 or later
     bool closing() const;
+    void close();
     void framebuffer_size(int& width, int& height) const;
     void set_title(const std::string& title);
-    void present(); // swaps and polls
+    void set_fullscreen(bool fullscreen);
+    void resize(int width, int height); // also what a full screen goes back to
+    void present();                     // swaps and polls
 
-    Controls controls(); // and resets what the mouse has moved
-    Presses take_presses();
+    Desk take_desk(); // and begins anew
+    bool captured() const { return desk_.captured; }
+    void capture_mouse(bool captured);
+    bool focused() const { return focused_; }
 
 private:
     Window(GLFWwindow* window, bool modern);
     void install_callbacks();
-    void capture_mouse(bool captured);
     void on_key(int key, int action);
+    void on_button(int button, int action);
     void on_cursor(double x, double y);
+    void on_focus(bool focused);
 
     GLFWwindow* window_;
     bool modern_;
-    bool captured_ = false, has_cursor_ = false;
+    Desk desk_;
+    bool has_cursor_ = false, focused_ = true;
     double cursor_x_ = 0.0, cursor_y_ = 0.0;
-    glm::vec2 turn_{0.0f};
-    Presses presses_;
-    bool held_[512] = {}; // by GLFW's key
+    int place_[4] = {}; // x, y, width and height before it became full screen
 };
 
 } // namespace host

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "../cameras.h"
+#include "../transform.h"
 
 namespace host {
 
@@ -23,14 +24,6 @@ auto timed(Durations& durations, const Work& work) {
     return work();
 }
 
-rt_transform to_transform(const glm::dmat4& matrix) {
-    rt_transform transform = rt_default_transform();
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column)
-            transform.m[4 * row + column] = matrix[column][row];
-    return transform;
-}
-
 } // namespace
 
 Player::Player(Stage& stage, const Level& level, Uploaded uploaded)
@@ -44,7 +37,7 @@ Player::Player(Stage& stage, const Level& level, Uploaded uploaded)
 
 bool Player::describe(double seconds) {
     time_ = seconds;
-    if (!animated()) return false;
+    if (!animated() && placed_.empty()) return false;
     timed(log_.pose, [&] { pose_.set(seconds); });
     timed(log_.skinning, [&] { deform_meshes(); });
     return timed(log_.update, [&] {

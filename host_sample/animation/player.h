@@ -24,7 +24,7 @@ public:
     double time() const { return time_; } // of the last moment described
 
     // Describes a moment to the engine, in seconds, not negative. The caller has to commit it;
-    // false if nothing changes.
+    // false if nothing changes. The first time, rigid meshes are put where they belong.
     bool describe(double seconds);
 
     // Describes a moment and commits it, if anything changes.
@@ -33,6 +33,7 @@ public:
     // A camera of the level as it is now.
     Viewpoint follow(const Viewpoint& camera) const;
 
+    const Uploaded& uploaded() const { return uploaded_; }
     const PlayerLog& log() const { return log_; }
 
 private:

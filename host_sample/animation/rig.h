@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <glm/gtc/quaternion.hpp>
 
 #include "../mesh.h"
@@ -17,6 +19,7 @@ struct Local {
 // A node's space is its parent's times `before` times, where tracks drive it, `rest` as they
 // change it.
 struct RigNode {
+    std::string name;
     uint32_t parent = no_index; // an earlier node; none: the world
     glm::dmat4 before{1.0};
     bool driven = false;

@@ -19,7 +19,7 @@ namespace host::gltf {
 namespace {
 
 Level import_document(const Document& document, const std::string& name,
-                      const std::string& animation) {
+                      const std::string& animation, const NodeFilter& moved) {
     Level level;
     level.name = name;
     Notes notes;
@@ -27,7 +27,8 @@ Level import_document(const Document& document, const std::string& name,
     Accessors accessors(document.model, document.bytes_read);
     const NodeTree tree = build_node_tree(document.model);
     RigBuilder rig(document.model, tree,
-                   import_clips(document.model, animation, accessors, budget, notes), level.rig);
+                   import_clips(document.model, animation, accessors, budget, notes), moved,
+                   level.rig);
     import_geometry(document.model, tree, accessors, rig, budget, level, notes);
     import_materials(document.model, level, notes);
     import_placed(document.model, tree, rig, level, notes);
@@ -37,12 +38,13 @@ Level import_document(const Document& document, const std::string& name,
 
 // tinygltf and the JSON library throw exceptions of their own for some malformed files.
 template <class Read>
-Level import_named(const std::string& name, const std::string& animation, const Read& read) {
+Level import_named(const std::string& name, const std::string& animation, const NodeFilter& moved,
+                   const Read& read) {
     const auto refuse = [&](const std::string& cause) {
         return InputError("the scene file " + name + " cannot be used: " + cause);
     };
     try {
-        return import_document(read(), name, animation);
+        return import_document(read(), name, animation, moved);
     } catch (const InputError& error) {
         throw refuse(error.what());
     } catch (const std::bad_alloc&) {
@@ -54,13 +56,14 @@ Level import_named(const std::string& name, const std::string& animation, const 
 
 } // namespace
 
-Level import_file(const std::filesystem::path& path, const std::string& animation) {
-    return import_named(path.string(), animation, [&] { return read_document(path); });
+Level import_file(const std::filesystem::path& path, const std::string& animation,
+                  const NodeFilter& moved) {
+    return import_named(path.string(), animation, moved, [&] { return read_document(path); });
 }
 
-Level import_bytes(const std::string& bytes, const std::string& name,
-                   const std::string& animation) {
-    return import_named(name, animation, [&] { return parse_document(bytes, {}); });
+Level import_bytes(const std::string& bytes, const std::string& name, const std::string& animation,
+                   const NodeFilter& moved) {
+    return import_named(name, animation, moved, [&] { return parse_document(bytes, {}); });
 }
 
 } // namespace host::gltf

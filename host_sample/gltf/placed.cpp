@@ -74,10 +74,13 @@ void import_node(const tinygltf::Model& model, const tinygltf::Node& node, const
                  uint32_t rig_node, Level& level, Notes& notes) {
     const auto* punctual = find_extension(node.extensions, "KHR_lights_punctual");
     const bool spawn = node.mesh < 0 && node.name.rfind("spawn_", 0) == 0;
-    if (!punctual && node.camera < 0 && !spawn) return;
+    const bool bare = !punctual && node.camera < 0 && node.mesh < 0 && node.children.empty();
+    const bool named = bare && !spawn && !node.name.empty();
+    if (!punctual && node.camera < 0 && !spawn && !named) return;
     auto place = look_along(world);
     if (!place) {
-        notes.add("a light, camera or spawn point without a usable transform is left out");
+        if (!named)
+            notes.add("a light, camera or spawn point without a usable transform is left out");
         return;
     }
     place->name = node.name;
@@ -87,6 +90,7 @@ void import_node(const tinygltf::Model& model, const tinygltf::Node& node, const
     if (node.camera >= 0)
         add_camera(checked(model.cameras, node.camera, "camera"), *place, level, notes);
     if (spawn) level.spawns.push_back(*place);
+    if (named) level.places.push_back(*place);
 }
 
 } // namespace

@@ -13,35 +13,37 @@ const std::vector<double>& rest_weights(const tinygltf::Model& model, const tiny
 } // namespace
 
 RigBuilder::RigBuilder(const tinygltf::Model& model, const NodeTree& tree, std::vector<Clip> clips,
-                       Rig& rig)
+                       const NodeFilter& moved, Rig& rig)
     : model_(model), tree_(tree), rig_(rig), moves_(model.nodes.size(), false),
       morphs_(model.nodes.size(), false), numbers_(model.nodes.size(), no_index) {
     std::vector<bool> driven(model.nodes.size(), false);
     for (const Clip& clip : clips)
         for (const Track& track : clip.tracks)
             (track.property == Property::weights ? morphs_ : driven)[track.node] = true;
-    add_moving(driven);
+    add_moving(driven, moved);
     for (Clip& clip : clips)
         for (Track& track : clip.tracks) track.node = find_or_add(track.node);
     rig_.clips = std::move(clips);
 }
 
-void RigBuilder::add_moving(const std::vector<bool>& driven) {
+void RigBuilder::add_moving(const std::vector<bool>& driven, const NodeFilter& moved) {
     for (const uint32_t node : tree_.order) {
         const uint32_t parent = tree_.parent[node];
         const bool follows = parent != no_index && moves_[parent];
-        if (!driven[node] && !follows) continue;
+        const tinygltf::Node& source = model_.nodes[node];
+        if (!driven[node] && !follows && !(moved && moved(source.name))) continue;
         RigNode added;
+        added.name = source.name;
         added.driven = driven[node];
-        added.weights = rest_weights(model_, model_.nodes[node]);
+        added.weights = rest_weights(model_, source);
         if (follows)
             added.parent = numbers_[parent];
         else if (parent != no_index)
             added.before = tree_.world[parent];
         if (driven[node])
-            added.rest = local_of(model_.nodes[node]);
+            added.rest = local_of(source);
         else
-            added.before = added.before * local_matrix(model_.nodes[node]);
+            added.before = added.before * local_matrix(source);
         moves_[node] = true;
         numbers_[node] = static_cast<uint32_t>(rig_.nodes.size());
         rig_.nodes.push_back(std::move(added));
@@ -52,6 +54,7 @@ uint32_t RigBuilder::find_or_add(uint32_t node) {
     if (numbers_[node] == no_index) {
         numbers_[node] = static_cast<uint32_t>(rig_.nodes.size());
         RigNode& added = rig_.nodes.emplace_back();
+        added.name = model_.nodes[node].name;
         added.before = tree_.world[node];
         added.weights = rest_weights(model_, model_.nodes[node]);
     }

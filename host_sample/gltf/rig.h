@@ -5,6 +5,7 @@
 #include <tiny_gltf.h>
 
 #include "../animation/rig.h"
+#include "import.h"
 #include "node_tree.h"
 
 namespace host::gltf {
@@ -14,9 +15,9 @@ class RigBuilder {
 public:
     // The clips' tracks name nodes by the file's numbers, the rig's by its own.
     RigBuilder(const tinygltf::Model& model, const NodeTree& tree, std::vector<Clip> clips,
-               Rig& rig);
+               const NodeFilter& moved, Rig& rig);
 
-    // Whether the node or one above it is driven.
+    // Whether the node or one above it is driven by a clip or moved by the host.
     bool moves(uint32_t node) const { return moves_[node]; }
     bool morphs(uint32_t node) const { return morphs_[node]; }
 
@@ -29,7 +30,7 @@ public:
     uint32_t find_or_add(uint32_t node);
 
 private:
-    void add_moving(const std::vector<bool>& driven);
+    void add_moving(const std::vector<bool>& driven, const NodeFilter& moved);
 
     const tinygltf::Model& model_;
     const NodeTree& tree_;

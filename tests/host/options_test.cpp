@@ -53,31 +53,40 @@ TEST_F(OptionsTest, ReadsValues) {
 }
 
 TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
-    for (const auto& arguments :
-         std::initializer_list<std::initializer_list<const char*>>{{"--size", "64"},
-                                                                   {"--size", "0x64"},
-                                                                   {"--size", "-1x64"},
-                                                                   {"--size", "64x99999"},
-                                                                   {"--size", "64x64x"},
-                                                                   {"--frames", "0"},
-                                                                   {"--frames", "many"},
-                                                                   {"--view", "x-ray"},
-                                                                   {"--isa", "mmx"},
-                                                                   {"--structure", "octree"},
-                                                                   {"--build", "slow"},
-                                                                   {"--threads", "0"},
-                                                                   {"--threads", "1000"},
-                                                                   {"--exposure", "0"},
-                                                                   {"--exposure", "nan"},
-                                                                   {"--ambient", "-1"},
-                                                                   {"--scale", "2"},
-                                                                   {"--time", "-1"},
-                                                                   {"--time", "nan"},
-                                                                   {"--time-step", "-1"},
-                                                                   {"--out", "a.png"},
-                                                                   {"--scene"},
-                                                                   {"--what"},
-                                                                   {"stray"}}) {
+    for (const auto& arguments : std::initializer_list<std::initializer_list<const char*>>{
+             {"--size", "64"},
+             {"--size", "0x64"},
+             {"--size", "-1x64"},
+             {"--size", "64x99999"},
+             {"--size", "64x64x"},
+             {"--frames", "0"},
+             {"--frames", "many"},
+             {"--view", "x-ray"},
+             {"--isa", "mmx"},
+             {"--structure", "octree"},
+             {"--build", "slow"},
+             {"--threads", "0"},
+             {"--threads", "1000"},
+             {"--exposure", "0"},
+             {"--exposure", "nan"},
+             {"--ambient", "-1"},
+             {"--scale", "2"},
+             {"--time", "-1"},
+             {"--time", "nan"},
+             {"--time-step", "-1"},
+             {"--out", "a.png"},
+             {"--difficulty", "absurd"},
+             {"--seed", "-1"},
+             {"--seed", "72057594037927936"},
+             {"--bot", "--replay", "a"},
+             {"--replay", "a", "--seed", "1"},
+             {"--view-only", "--bot"},
+             {"--view-only", "--record", "a"},
+             {"--headless", "--record", "a"},
+             {"--headless", "--bot", "--out", "a.png"},
+             {"--scene"},
+             {"--what"},
+             {"stray"}}) {
         const auto parsed = parse(arguments);
         EXPECT_FALSE(parsed.options) << *arguments.begin();
         EXPECT_EQ(parsed.exit_status, 2);
@@ -89,6 +98,27 @@ TEST_F(OptionsTest, HelpAndVersionAreNoMistakes) {
     EXPECT_EQ(parse({"--help"}).exit_status, 0);
     EXPECT_NE(parse({"--help"}).text.find("--scene"), std::string::npos);
     EXPECT_EQ(parse({"--version"}).exit_status, 0);
+}
+
+TEST_F(OptionsTest, OfTheGame) {
+    const auto none = parse({});
+    EXPECT_TRUE(none.options->game());
+    EXPECT_FALSE(none.options->difficulty || none.options->seed || none.options->scale);
+    const auto parsed = parse({"--difficulty", "hard", "--seed", "12", "--record", "a.replay",
+                               "--bot", "--mute", "--headless"});
+    ASSERT_TRUE(parsed.options) << parsed.text;
+    EXPECT_EQ(parsed.options->difficulty, peregrine::three_cores::Difficulty::hard);
+    EXPECT_EQ(parsed.options->seed, 12u);
+    EXPECT_EQ(parsed.options->record, "a.replay");
+    EXPECT_TRUE(parsed.options->bot && parsed.options->mute && parsed.options->game());
+    EXPECT_TRUE(parse({"--headless", "--replay", "a.replay"}).options->game());
+}
+
+TEST_F(OptionsTest, PicturesAndLookingAroundAreNoGame) {
+    EXPECT_FALSE(parse({"--view-only"}).options->game());
+    EXPECT_FALSE(parse({"--headless"}).options->game());
+    EXPECT_FALSE(parse({"--headless", "--out", "a.png"}).options->game());
+    EXPECT_FALSE(parse({"--list-cameras"}).options->game());
 }
 
 TEST_F(OptionsTest, ListsPads) {

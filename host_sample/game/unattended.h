@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "round.h"
+
+namespace host::game {
+
+// Plays a round that needs no player, as fast as it goes, and prints how it ended: "WON" or "LOST"
+// and the hash of its last state. Returns the exit status: 0 won, 3 not won, 4 a replay went
+// astray. `record` is a file or empty. Throws InputError.
+int play_unattended(Round& round, const std::string& record);
+
+// Throws InputError.
+gameplay::Replay read_replay(const std::string& path);
+void write_replay(const gameplay::Replay& replay, const std::string& path);
+
+} // namespace host::game

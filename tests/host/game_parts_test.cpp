@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include "error.h"
+#include "game/feedback.h"
+#include "game/render_scale.h"
+#include "game/round.h"
+
+// The small parts of the game's host that need no engine.
+namespace host::test {
+namespace {
+
+using game::RenderScale;
+using game::RoundSeed;
+
+// A machine that takes so long for a whole picture of the window.
+double settled_scale(double whole_ms, double other_ms, RenderScale scale = {}) {
+    for (int i = 0; i < 400; ++i) {
+        const double render = whole_ms * scale.scale() * scale.scale();
+        scale.update(render + other_ms, render, 0);
+    }
+    return scale.scale();
+}
+
+TEST(RenderScale, FindsWhatTheTimeAllows) {
+    EXPECT_EQ(settled_scale(10, 2), 1.0);
+    EXPECT_EQ(settled_scale(10000, 2), 6.0 / 16);
+    for (const double whole : {50.0, 80.0, 120.0, 200.0}) {
+        const double scale = settled_scale(whole, 3);
+        EXPECT_LE(whole * scale * scale + 3, 1.1 * RenderScale::target_ms) << whole;
+        const double next = scale + 2.0 / 16; // not much smaller than it could be
+        EXPECT_GT(whole * next * next + 3, RenderScale::target_ms) << whole;
+    }
+}
+
+TEST(RenderScale, StaysWhereItIs) {
+    RenderScale scale;
+    const auto run = [&] { // frames that differ by a tenth
+        int changes = 0;
+        for (int i = 0; i < 300; ++i) {
+            const double before = scale.scale();
+            const double render = 90 * before * before * (i % 2 == 0 ? 0.95 : 1.05);
+            scale.update(render + 3, render, 0);
+            changes += scale.scale() != before;
+        }
+        return changes;
+    };
+    run();
+    EXPECT_EQ(run(), 0);
+}
+
+TEST(RenderScale, TheChosenOneWins) {
+    RenderScale scale;
+    scale.update(500, 500, 0.8);
+    EXPECT_DOUBLE_EQ(scale.scale(), 0.8);
+    EXPECT_EQ(scale.side(1000), 800u);
+    EXPECT_EQ(scale.side(1), 1u);
+}
+
+TEST(RoundSeed, IsAWord) {
+    for (const auto difficulty : {three_cores::Difficulty::easy, three_cores::Difficulty::hard}) {
+        const RoundSeed seed{difficulty, (uint64_t{1} << 56) - 7};
+        const auto again = RoundSeed::from_word(seed.word());
+        ASSERT_TRUE(again);
+        EXPECT_EQ(again->difficulty, difficulty);
+        EXPECT_EQ(again->seed, seed.seed);
+    }
+    EXPECT_FALSE(RoundSeed::from_word(~uint64_t{0}));
+}
+
+TEST(Replays, OfOthersAreRefused) {
+    three_cores::Plan plan;
+    plan.level = 5;
+    gameplay::Replay replay;
+    replay.level = 5;
+    replay.seed = RoundSeed{three_cores::Difficulty::hard, 9}.word();
+    EXPECT_EQ(game::check_replay(replay, plan).seed, 9u);
+    const auto refuses = [&](auto change, const char* word) {
+        gameplay::Replay other = replay;
+        change(other);
+        try {
+            game::check_replay(other, plan);
+        } catch (const InputError& error) {
+            return std::string(error.what()).find(word) != std::string::npos;
+        }
+        return false;
+    };
+    EXPECT_TRUE(refuses([](gameplay::Replay& r) { r.level = 6; }, "another level"));
+    EXPECT_TRUE(refuses([](gameplay::Replay& r) { r.ticks_per_second = 50; }, "50 ticks"));
+    EXPECT_TRUE(refuses([](gameplay::Replay& r) { r.seed = ~uint64_t{0}; }, "difficulty"));
+}
+
+TEST(Feedback, TheLightTellsTheAlarm) {
+    const auto calm = game::Feedback::light_of(0), alarmed = game::Feedback::light_of(1);
+    const auto suspicious = game::Feedback::light_of(0.5);
+    EXPECT_GT(calm.green, calm.red);
+    EXPECT_GT(alarmed.red, alarmed.green);
+    EXPECT_GT(suspicious.red, 0);
+    EXPECT_GT(suspicious.green, 0);
+}
+
+} // namespace
+} // namespace host::test
