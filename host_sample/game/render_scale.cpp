@@ -27,8 +27,8 @@ void RenderScale::update(double frame_ms, double render_ms, double fixed) {
     // The time of a picture goes by its pixels; the rest of the frame stays.
     const double room = std::max(target_ms - (frame_ms_ - render_ms_), 0.25 * target_ms);
     const double wanted = sixteenths_ * std::sqrt(room / render_ms_);
-    const bool shrink = wanted<sixteenths_ - 0.3, widen = wanted> sixteenths_ + 1 + slack;
-    if (!shrink && !widen) return;
+    const double change = wanted - sixteenths_;
+    if (change > -0.3 && change < 1 + slack) return;
     const double next = std::clamp(std::floor(wanted), least, most);
     if (next == sixteenths_) return;
     sixteenths_ = next;
