@@ -24,6 +24,20 @@ void add_goals(const Shown& shown, const three_cores::Plan& plan, const ui::Proj
         hud.goals.push_back({projection.sight(exit + glm::dvec3(0, 1.2, 0)), "GATE"});
 }
 
+const char* text_of(three_cores::Use use) {
+    switch (use) {
+    case three_cores::Use::open_door:
+        return "open the door";
+    case three_cores::Use::close_door:
+        return "close the door";
+    case three_cores::Use::move_lift:
+        return "use the lift";
+    case three_cores::Use::nothing:
+        break;
+    }
+    return "";
+}
+
 } // namespace
 
 ui::Hud hud_of(const Shown& shown, const three_cores::Rules& rules, const three_cores::Plan& plan,
@@ -47,7 +61,7 @@ ui::Hud hud_of(const Shown& shown, const three_cores::Rules& rules, const three_
     hud.cooking = static_cast<float>(status.cooking);
     hud.hurt = static_cast<float>(status.hurt);
     hud.gate_open = status.open;
-    if (status.can_use) hud.hint = {use_key, "use"};
+    if (status.use != three_cores::Use::nothing) hud.hint = {use_key, text_of(status.use)};
     if (!preview.empty()) hud.arc = ui::project_arc(projection, preview, rules.blast_radius);
     add_drones(shown, projection, hud);
     add_goals(shown, plan, projection, hud);
