@@ -4,11 +4,14 @@ namespace host::game {
 
 namespace {
 
+constexpr double drone_radius = 0.36; // metres
+
 void add_drones(const Shown& shown, const ui::Projection& projection, ui::Hud& hud) {
     for (const DroneShown& drone : shown.drones) {
         if (drone.disabled || drone.suspicion <= 0) continue;
         ui::DroneMark& mark = hud.drone_marks.emplace_back();
-        mark.sight = projection.sight(drone.position + glm::dvec3(0, 0.45, 0));
+        mark.sight = projection.sight(drone.position);
+        mark.radius = projection.radius(drone.position, drone_radius);
         mark.suspicion = static_cast<float>(drone.suspicion);
         mark.charge = static_cast<float>(drone.charge);
         mark.alarmed = drone.alarmed;
