@@ -9,9 +9,7 @@ namespace host {
 namespace {
 
 constexpr uint32_t probe_width = 64, probe_height = 36;
-constexpr float key = 0.11f;       // where the mean is to be: below middle grey, for lamps to glow
-constexpr float darkest = 1e-3f;   // so that a few black pixels do not rule the mean
-constexpr float adaptation = 0.7f; // 0: none, 1: every view gets the same mean
+constexpr float darkest = 1e-3f; // so that a few black pixels do not rule the mean
 constexpr float lowest = 0.5f, highest = 8.0f;
 
 // Geometric, as eyes compare light by ratios (Reinhard et al. 2002, equation 1).
@@ -34,7 +32,8 @@ float Exposure::wanted(const Viewpoint& viewpoint) const {
     frame.tone_mapping = RT_TONE_NONE;
     std::vector<float> pixels(size_t{4} * probe_width * probe_height);
     session_.stage.render(viewpoint, frame, pixels.data());
-    return std::clamp(std::pow(key / mean_luminance(pixels), adaptation), lowest, highest);
+    return std::clamp(std::pow(sight_.key / mean_luminance(pixels), sight_.adaptation), lowest,
+                      highest);
 }
 
 float Exposure::settle(const Viewpoint& viewpoint) {

@@ -5,12 +5,20 @@
 
 namespace host {
 
+// How an eye takes a view.
+struct Sight {
+    float key = 0.11f;       // where the mean is to be: below middle grey, for lamps to glow
+    float adaptation = 0.7f; // 0: none, 1: every view gets the same mean
+};
+constexpr Sight night_sight{0.075f, 0.4f}; // what is dark stays dark
+
 // Exposure as an eye adapts: a small picture of the view is rendered and its mean brightness
 // measured. Adapts in part only, so that a dark hall stays darker than a courtyard. --exposure
 // fixes it.
 class Exposure {
 public:
-    explicit Exposure(const Session& session) : session_(session) {}
+    explicit Exposure(const Session& session, const Sight& sight = {})
+        : session_(session), sight_(sight) {}
 
     // Adapted to this view at once.
     float settle(const Viewpoint& viewpoint);
@@ -22,6 +30,7 @@ private:
     float wanted(const Viewpoint& viewpoint) const;
 
     const Session& session_;
+    Sight sight_;
     float current_ = 0.0f; // 0: not yet settled
 };
 

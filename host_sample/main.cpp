@@ -86,7 +86,7 @@ int view(const Options& options) {
 
     const Plugin plugin(options.library);
     Stage stage(plugin.api(), options.threads, options.isa);
-    Player player(stage, level, upload_level(stage, level, options.ambient));
+    Player player(stage, level, upload_level(stage, level, options.ambient.value_or(0.15f)));
     player.describe(options.time);
     const rt_commit_report report = build(stage, options);
     Session session{options, level, std::move(cameras), camera, stage, player, report, {}, 0, 0};

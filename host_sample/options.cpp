@@ -151,7 +151,7 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--exposure", options.exposure,
                    "multiplies the light before tone mapping [adapts to the view]")
         ->check(CLI::Range(1e-6, 1e6));
-    app.add_option("--ambient", options.ambient, "light from everywhere [0.15]")
+    app.add_option("--ambient", options.ambient, "light from everywhere [0.15; in the game 0.05]")
         ->check(CLI::Range(0.0, 1e6));
     app.add_flag("--no-shadows", options.no_shadows, "lights shine through everything");
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
@@ -185,7 +185,7 @@ void interpret_game(const Options& options) {
 void interpret(const CLI::App& app, const Texts& texts, Options& options) {
     parse_size(texts.size, options);
     if (!std::isfinite(options.scale.value_or(1.0f) + options.exposure.value_or(1.0f)
-                       + options.ambient))
+                       + options.ambient.value_or(0.0f)))
         throw InputError("--scale, --exposure and --ambient take finite numbers");
     if (!std::isfinite(options.time + options.time_step.value_or(0.0)))
         throw InputError("--time and --time-step take finite numbers");

@@ -28,7 +28,7 @@ struct Options {
     rt_structure structure = RT_STRUCTURE_AUTO;
     rt_build_quality build = RT_BUILD_BALANCED;
     std::optional<float> exposure; // none: adapts to the view
-    float ambient = 0.15f;
+    std::optional<float> ambient;
     std::optional<float> scale; // none: 1, or in the game as the player has set it
     bool no_shadows = false;
     bool list_cameras = false;

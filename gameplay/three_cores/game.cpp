@@ -73,12 +73,7 @@ void Game::tick(const TickInput& input) {
 
 // The nearest door, with the leaf beside it, or else a lift.
 void Game::use() {
-    const Vec3 feet = player_.state().position;
-    const auto away = [&](const Door& door) {
-        return glm::distance(door.middle(), feet + Vec3(0, 1.2, 0));
-    };
-    const auto nearest = std::ranges::min_element(doors_, {}, away);
-    if (nearest != doors_.end() && away(*nearest) < rules_.use_reach) {
+    if (const Door* nearest = door_at_hand()) {
         const bool open = !nearest->is_open();
         for (Door& door : doors_)
             if (glm::distance(door.middle(), nearest->middle()) < rules_.use_reach)
@@ -87,7 +82,23 @@ void Game::use() {
         return;
     }
     for (Lift& lift : lifts_)
-        if (lift.call(feet, rules_.use_reach)) return say(Sound::lift, lift.place());
+        if (lift.call(player_.state().position, rules_.use_reach))
+            return say(Sound::lift, lift.place());
+}
+
+const Door* Game::door_at_hand() const {
+    const Vec3 hand = player_.state().position + Vec3(0, 1.2, 0);
+    const auto away = [&](const Door& door) { return glm::distance(door.middle(), hand); };
+    const auto nearest = std::ranges::min_element(doors_, {}, away);
+    return nearest != doors_.end() && away(*nearest) < rules_.use_reach ? &*nearest : nullptr;
+}
+
+Use Game::usable() const {
+    if (const Door* door = door_at_hand())
+        return door->is_open() ? Use::close_door : Use::open_door;
+    const Vec3 feet = player_.state().position;
+    const auto comes = [&](const Lift& lift) { return lift.can_call(feet, rules_.use_reach); };
+    return std::ranges::any_of(lifts_, comes) ? Use::move_lift : Use::nothing;
 }
 
 void Game::move_parts() {
@@ -198,15 +209,7 @@ void Game::measure() {
         status_.alarm = std::max(status_.alarm, drones_[i].suspicion());
         status_.charge = std::max(status_.charge, drones_[i].charge());
     }
-    const Vec3 feet = player_.state().position;
-    status_.can_use =
-        std::ranges::any_of(doors_,
-                            [&](const Door& door) {
-                                return glm::distance(door.middle(), feet + Vec3(0, 1.2, 0))
-                                       < rules_.use_reach;
-                            })
-        || std::ranges::any_of(
-            lifts_, [&](const Lift& lift) { return lift.can_call(feet, rules_.use_reach); });
+    status_.use = usable();
     status_.score = score();
 }
 

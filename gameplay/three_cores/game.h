@@ -39,6 +39,8 @@ struct Event {
     double strength = 1; // 0 to 1
 };
 
+enum class Use : uint32_t { nothing, open_door, close_door, move_lift };
+
 // What the player is shown beside the picture.
 struct Status {
     Outcome outcome = Outcome::playing;
@@ -47,14 +49,14 @@ struct Status {
     uint32_t drones = 0, drones_total = 0; // still at work, of all
     uint32_t score = 0;
     double seconds = 0;
-    double light = 0;     // on the player, 0 to 1
-    double seen = 0;      // how much of the player the keenest drone sees, 0 to 1
-    double alarm = 0;     // the highest suspicion, 0 to 1
-    double cooking = 0;   // how much of the fuse is burnt of the grenade in the hand; 0: none there
-    double charge = 0;    // how near the next shot is, 0 to 1
-    double hurt = 0;      // 1 when just hit, back to 0 in a second
-    bool open = false;    // the gate: all cores are taken
-    bool can_use = false; // there is a door to use
+    double light = 0;   // on the player, 0 to 1
+    double seen = 0;    // how much of the player the keenest drone sees, 0 to 1
+    double alarm = 0;   // the highest suspicion, 0 to 1
+    double cooking = 0; // how much of the fuse is burnt of the grenade in the hand; 0: none there
+    double charge = 0;  // how near the next shot is, 0 to 1
+    double hurt = 0;    // 1 when just hit, back to 0 in a second
+    bool open = false;  // the gate: all cores are taken
+    Use use = Use::nothing; // what the button does here
 };
 
 struct Eye {
@@ -110,6 +112,8 @@ public:
 
 private:
     void use();
+    const Door* door_at_hand() const;
+    Use usable() const;
     void move_parts();
     void commit();
     void move_player(const gameplay::TickInput& input);

@@ -41,7 +41,7 @@ pads::PlayerMappings read_pad_map(const std::string& file) {
 Play::Play(Arena& arena, Window& window, ui::Ui& ui, const PlayerSettings& settings,
            const gameplay::Replay* replay)
     : arena_(arena), window_(window), ui_(ui), session_(arena.session()),
-      picture_(session_, window), exposure_(session_),
+      picture_(session_, window), exposure_(session_, night_sight),
       actors_(arena.stage(), load_props(arena.stage(), content_file("props.glb"))),
       pads_(hid_, read_pad_map(session_.options.pad_map)), settings_(settings), applied_(settings) {
     const Options& options = session_.options;

@@ -17,7 +17,7 @@ void Play::draw_over(const Intent& intent, const Desk& desk, double seconds,
                      desk.pointer_moved};
     frame.device = &input_.device();
     ui_.begin(frame);
-    if (live_) {
+    if (live_ && screen_ == Screen::playing) {
         const ui::Projection projection(view_, frame.width, frame.height);
         ui_.hud(hud_of(live_->shown(), three_cores::rules_of(setup_.seed.difficulty), arena_.plan(),
                        projection, preview, input_.use_key()));

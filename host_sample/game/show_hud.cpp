@@ -4,11 +4,14 @@ namespace host::game {
 
 namespace {
 
+constexpr double drone_radius = 0.36; // metres
+
 void add_drones(const Shown& shown, const ui::Projection& projection, ui::Hud& hud) {
     for (const DroneShown& drone : shown.drones) {
         if (drone.disabled || drone.suspicion <= 0) continue;
         ui::DroneMark& mark = hud.drone_marks.emplace_back();
-        mark.sight = projection.sight(drone.position + glm::dvec3(0, 0.45, 0));
+        mark.sight = projection.sight(drone.position);
+        mark.radius = projection.radius(drone.position, drone_radius);
         mark.suspicion = static_cast<float>(drone.suspicion);
         mark.charge = static_cast<float>(drone.charge);
         mark.alarmed = drone.alarmed;
@@ -22,6 +25,20 @@ void add_goals(const Shown& shown, const three_cores::Plan& plan, const ui::Proj
     if (!shown.status.open) return;
     for (const glm::dvec3& exit : plan.exits)
         hud.goals.push_back({projection.sight(exit + glm::dvec3(0, 1.2, 0)), "GATE"});
+}
+
+const char* text_of(three_cores::Use use) {
+    switch (use) {
+    case three_cores::Use::open_door:
+        return "open the door";
+    case three_cores::Use::close_door:
+        return "close the door";
+    case three_cores::Use::move_lift:
+        return "use the lift";
+    case three_cores::Use::nothing:
+        break;
+    }
+    return "";
 }
 
 } // namespace
@@ -47,7 +64,7 @@ ui::Hud hud_of(const Shown& shown, const three_cores::Rules& rules, const three_
     hud.cooking = static_cast<float>(status.cooking);
     hud.hurt = static_cast<float>(status.hurt);
     hud.gate_open = status.open;
-    if (status.can_use) hud.hint = {use_key, "use"};
+    if (status.use != three_cores::Use::nothing) hud.hint = {use_key, text_of(status.use)};
     if (!preview.empty()) hud.arc = ui::project_arc(projection, preview, rules.blast_radius);
     add_drones(shown, projection, hud);
     add_goals(shown, plan, projection, hud);

@@ -10,7 +10,8 @@ namespace host::ui {
 
 // Over a drone, or at the side where it is.
 struct DroneMark {
-    Sight sight;
+    Sight sight;            // of its middle
+    float radius = 0.0f;    // of what it covers of the window, pixels
     float suspicion = 0.0f; // 0 to 1; 0 is not drawn
     float charge = 0.0f;    // 0 to 1: how near its shot is
     bool alarmed = false;

@@ -37,7 +37,7 @@ void draw_side_mark(const Canvas& canvas, const DroneMark& mark) {
 
 // A triangle over the drone that fills with its suspicion; alarmed it is full and bears a mark.
 void draw_drone_mark(const Canvas& canvas, const DroneMark& mark) {
-    const glm::vec2 tip = mark.sight.place - glm::vec2(0.0f, canvas.px(24.0f));
+    const glm::vec2 tip = mark.sight.place - glm::vec2(0.0f, mark.radius + canvas.px(10.0f));
     const float high = canvas.px(22.0f), wide = canvas.px(13.0f);
     const Color color = theme::danger(mark.alarmed ? 1.0f : mark.suspicion);
     const auto triangle = [&](float part, const Color& fill) {
@@ -56,7 +56,7 @@ void draw_drone_mark(const Canvas& canvas, const DroneMark& mark) {
         canvas.disc(center + glm::vec2(0.0f, canvas.px(6.0f)), 1.5f, theme::night);
     }
     if (mark.charge <= 0.0f) return;
-    const float radius = 40.0f - 24.0f * mark.charge; // closes in
+    const float radius = mark.radius / canvas.px(1.0f) + 30.0f - 24.0f * mark.charge; // closes in
     canvas.circle(mark.sight.place, radius, {0.0f, 0.0f, 0.0f, 0.4f}, 4.0f);
     canvas.circle(mark.sight.place, radius, theme::faded(theme::red, 0.5f + 0.5f * mark.charge),
                   2.0f);

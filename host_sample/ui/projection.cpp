@@ -50,6 +50,11 @@ Sight Projection::sight(const glm::dvec3& point) const {
     return sight;
 }
 
+float Projection::radius(const glm::dvec3& middle, double metres) const {
+    const float depth = in_view_space(middle).z;
+    return depth < nearest ? 0.0f : focal_ * static_cast<float>(metres) / depth;
+}
+
 Arc project_arc(const Projection& projection, std::span<const glm::dvec3> points, double radius) {
     Arc arc;
     bool broken = true;

@@ -24,6 +24,8 @@ public:
     // Nothing for what is behind the eye or too near to it.
     std::optional<glm::vec2> place(const glm::dvec3& point) const;
     Sight sight(const glm::dvec3& point) const;
+    // Pixels, of a ball in the middle of the view.
+    float radius(const glm::dvec3& middle, double metres) const;
 
 private:
     glm::vec3 in_view_space(const glm::dvec3& point) const; // right, up, forward

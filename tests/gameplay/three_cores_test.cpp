@@ -79,7 +79,7 @@ TEST_F(Round, ADoorIsInTheWayUntilItIsUsed) {
     EXPECT_FALSE(game.doors()[0].is_open());
     play(4, walking({-1, 0, 0}));
     EXPECT_NEAR(feet().x, -2.97 + 0.3, 0.02);
-    EXPECT_TRUE(game.status().can_use);
+    EXPECT_EQ(game.status().use, Use::open_door);
     EXPECT_EQ(play(1.5, walking({0, 0, 0}, kUse), Sound::door), 1u); // once a press
     EXPECT_TRUE(game.doors()[0].is_open() && game.doors()[1].is_open());
     play(4, walking({-1, 0, 0}));

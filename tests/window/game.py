@@ -15,21 +15,6 @@ from display import Display
 from host import Host, contrast, difference
 
 
-def settled(host):
-    """The screen once two pictures of it are alike."""
-    before = host.screen()
-
-    def same():
-        nonlocal before
-        time.sleep(0.3)
-        now = host.screen()
-        alike = difference(now, before) < 0.5
-        before = now
-        return now if alike else None
-
-    return host.wait_for(same, 60, "the picture to stand still")
-
-
 def changed(host, before, threshold, what):
     return host.wait_for(
         lambda: (p := host.screen()) and difference(p, before) > threshold and p, 90, what
@@ -72,11 +57,11 @@ def play(host, out):
     host.press("Escape")
     changed(host, walked, 3, "Escape to pause")
     time.sleep(7)  # toasts go
-    paused = save(settled(host), "7_pause")
+    paused = save(host.settled_screen(), "7_pause")
     for _ in range(2):
         host.press("Down")
         time.sleep(0.6)
-    save(settled(host), "8_selected")
+    save(host.settled_screen(), "8_selected")
     return paused
 
 
@@ -84,7 +69,7 @@ def open_options_and_quit(host, paused, out):
     """The entries of the pause: resume, restart, options, title. The last of the title: quit."""
     host.press("Return")
     options = changed(host, paused, 3, "the options")
-    options = settled(host)
+    options = host.settled_screen()
     options.save(out / "game_9_options.png")
     host.press("Escape")
     changed(host, options, 3, "Escape to leave the options")

@@ -13,8 +13,9 @@ SIZE = (640, 400)
 class Host:
     """The program under test and its window. Its working folder and its user's files are new."""
 
-    def __init__(self, display, program, *arguments):
+    def __init__(self, display, program, *arguments, size=SIZE):
         self.display = display
+        self.size = size
         self.folder = tempfile.TemporaryDirectory()
         self.environment = dict(
             display.environment(),
@@ -22,7 +23,7 @@ class Host:
             XDG_DATA_HOME=self.folder.name + "/data",
         )
         self.process = subprocess.Popen(
-            [program, "--size", "%dx%d" % SIZE, "--quiet", *arguments],
+            [program, "--size", "%dx%d" % size, "--quiet", *arguments],
             env=self.environment,
             cwd=self.folder.name,
         )
@@ -57,7 +58,8 @@ class Host:
             time.sleep(0.1)
         sys.exit(f"waited {seconds} s for {what}")
 
-    def screen(self, size=SIZE):
+    def screen(self, size=None):
+        size = size or self.size
         place = dict(
             line.split("=")
             for line in self.xdotool("getwindowgeometry", "--shell", self.window).split("\n")
@@ -88,6 +90,21 @@ class Host:
             self.press(key)
             time.sleep(0.5)
         assert self.process.returncode == 0, f"exit status {self.process.returncode}"
+
+
+    def settled_screen(self):
+        """The screen once two pictures of it are alike."""
+        before = self.screen()
+
+        def same():
+            nonlocal before
+            time.sleep(0.3)
+            now = self.screen()
+            alike = difference(now, before) < 0.5
+            before = now
+            return now if alike else None
+
+        return self.wait_for(same, 60, "the picture to stand still")
 
 
 def difference(a, b):

@@ -72,7 +72,8 @@ Hud arc_hud(const Projection& projection) {
 }
 
 DroneMark mark_at(const Projection& projection, glm::dvec3 place, float suspicion, float charge) {
-    return {projection.sight(place), suspicion, charge, suspicion >= 1.0f};
+    return {projection.sight(place), projection.radius(place, 0.36), suspicion, charge,
+            suspicion >= 1.0f};
 }
 
 Hud alarm_hud(const Projection& projection) {
