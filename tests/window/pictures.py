@@ -21,6 +21,7 @@ SAVED = (960, 540)
 MOST_BYTES = 600_000
 ALARM = (255, 69, 56)  # of the label that tells it
 ALARM_AT = (640 - 34, 74, 640 + 34, 94)  # where that is
+BESIDE_ALARM_AT = (640 - 55, 74, 640 - 43, 94)  # where a longer word would be
 MARKS_AT = [(150, 120, 450, 640), (830, 120, 1130, 640)]  # where a drone is well in view
 CORE = (115, 222, 255)  # of the third diamond over a round that was won
 CORE_AT = (136, 64, 152, 84)
@@ -99,7 +100,7 @@ def menus(camera):
 def lost(camera):
     """By standing in sight of the drone of the nave, and then walking along it."""
     def is_alarmed(picture):
-        return count(picture, ALARM, ALARM_AT) > 200
+        return count(picture, ALARM, ALARM_AT) > 200 and not count(picture, ALARM, BESIDE_ALARM_AT)
 
     def rate(picture):
         return is_alarmed(picture) and 1 + sum(count(picture, ALARM, box) for box in MARKS_AT)
