@@ -125,6 +125,10 @@ void Bot::fight(const Game& game, TickInput& input) {
         if (cooking_) input.buttons |= kThrow;
         return;
     }
+    if (game.status().cooking == 0) { // a hit took it out of the hand
+        cooking_ = false;
+        return;
+    }
     input.walk[0] = input.walk[1] = 0;
     const bool late = game.status().cooking > kLateInFuse;
     if (drone) {

@@ -33,11 +33,10 @@ Drone::Drone(std::vector<Vec3> round, double phase) : round_(std::move(round)), 
     ends_.push_back(0);
     for (size_t i = 1; i < round_.size(); ++i)
         ends_.push_back(ends_.back() + glm::distance(round_[i - 1], round_[i]));
-    position_ = place(0);
-    if (round_.size() > 1) {
-        const Vec3 ahead = round_[1] - round_[0];
-        if (glm::length(ahead) > 0) forward_ = glm::normalize(ahead);
-    }
+    way_ = 0.5 * ends_.back(); // rounds are named from where the player comes in
+    position_ = place(way_);
+    const Vec3 ahead = place(way_ + 0.1) - position_;
+    if (glm::length(ahead) > 0) forward_ = glm::normalize(ahead);
 }
 
 Vec3 Drone::place(double way) const {

@@ -144,7 +144,9 @@ void Game::run_drones() {
 }
 
 void Game::shoot(const Drone& drone) {
-    const Vec3 way = glm::normalize(chest() - drone.position());
+    const double seconds = glm::distance(chest(), drone.position()) / rules_.bolt_speed;
+    const Vec3 aim = chest() + rules_.lead * seconds * player_.state().velocity;
+    const Vec3 way = glm::normalize(aim - drone.position());
     ProjectileRules rules;
     rules.radius = kBoltRadius;
     rules.mask.layers = kSolid;
