@@ -21,7 +21,7 @@ constexpr gameplay::Mask kWalls{kSolid, {}};
 
 bool is_complete(const Plan& plan) {
     return !plan.spawns.empty() && !plan.cores.empty() && !plan.patrols.empty()
-           && !(plan.gates.empty() && plan.exits.empty());
+           && !plan.exits.empty();
 }
 
 bool is_finite(const Vec3& v) {
@@ -104,7 +104,7 @@ void complete_plan(Plan& plan, const gameplay::World& world) {
         throw PlanError("the floor that can be reached is too small for three cores");
     order_spawns(plan, *start, floors);
     if (plan.cores.empty()) place_cores(plan, floors, spawn);
-    if (plan.gates.empty() && plan.exits.empty()) place_exit(plan, floors, spawn);
+    if (plan.exits.empty()) place_exit(plan, floors, spawn);
     if (plan.patrols.empty()) plan.patrols = plan_patrols(world, floors, start->feet);
 }
 

@@ -49,7 +49,6 @@ private:
 // What a drone shoots.
 struct Bolt {
     gameplay::Projectile flight;
-    Vec3 before{0}; // where it was a tick ago
     uint64_t end = 0;
 };
 

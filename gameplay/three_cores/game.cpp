@@ -36,8 +36,7 @@ Game::Game(const rt_api& api, rt_scene scene, const Plan& plan, const Settings& 
     for (const Part& door : plan.doors) doors_.emplace_back(door);
     for (const Part& crate : plan.crates) crates_.emplace_back(crate);
     for (const LiftPlan& lift : plan.lifts) lifts_.emplace_back(lift);
-    for (const GatePlan& gate : plan.gates)
-        gates_.emplace_back(gate.part, rise(gate.part), kGateSeconds);
+    for (const Part& gate : plan.gates) gates_.emplace_back(gate, rise(gate), kGateSeconds);
     for (const Vec3& core : plan.cores) cores_.push_back({core});
     Random random(settings.seed);
     for (const std::vector<Vec3>& round : plan.patrols)
@@ -192,7 +191,7 @@ void Game::measure() {
     status_.cores = uint32_t(std::ranges::count_if(cores_, &Core::taken));
     status_.cores_total = uint32_t(cores_.size());
     status_.drones_total = uint32_t(drones_.size());
-    status_.drones = status_.drones_total - disabled_;
+    status_.drones = uint32_t(std::ranges::count(drones_, false, &Drone::is_disabled));
     status_.seconds = double(tick_) / kTicksPerSecond;
     status_.hurt = std::max(0.0, status_.hurt - kTick);
     status_.cooking =
@@ -215,7 +214,7 @@ void Game::measure() {
 
 // What was done counts; what was left over, once the round is won.
 uint32_t Game::score() const {
-    uint32_t score = 1000 * status_.cores + 250 * disabled_;
+    uint32_t score = 1000 * status_.cores + 250 * (status_.drones_total - status_.drones);
     if (status_.outcome != Outcome::won) return score;
     constexpr double kPar = 600; // s
     score += uint32_t(5 * std::max(0.0, kPar - status_.seconds));
@@ -260,6 +259,10 @@ uint64_t Game::hash() const {
     hash.add(status_.grenades);
     hash.add(status_.score);
     hash.add(status_.light);
+    hash.add(stride_);
+    hash.add(spawn_);
+    hash.add(alarms_);
+    hash.add(buttons_);
     hash.add(cooking_since_);
     hash.add(safe_until_);
     return hash.value();

@@ -162,7 +162,6 @@ private:
     uint64_t cooking_since_ = 0; // tick; 0: no grenade in the hand
     uint64_t safe_until_ = 0;    // tick: after a hit nobody is hit again
     uint32_t spawn_ = 0;         // where to begin again
-    uint32_t disabled_ = 0;
     uint32_t alarms_ = 0;
     double stride_ = 0;               // m since the last step
     uint32_t buttons_ = 0, held_ = 0; // of this tick and of the one before

@@ -98,7 +98,6 @@ void Game::blast(const Vec3& point) {
         if (drone.is_disabled() || !reaches(drone.position(), rules_.blast_radius)) continue;
         const auto floor = world_.closest(drone.position(), Vec3(0, -50, 0), solid);
         drone.disable(floor ? floor->point.y : drone.position().y - 50);
-        ++disabled_;
         say(Sound::disabled, drone.position());
     }
     for (Crate& crate : crates_) {
@@ -128,8 +127,8 @@ void Game::run_drones() {
     const CharacterState& state = player_.state();
     Target target{state.position, state.height, rules_.character.radius};
     target.conspicuous = 0.2 + 0.8 * status_.light;
-    if (tick_ < safe_until_) target.position.y -= 1e6; // nobody looks for who was just hit
-    watch_.update(world_, sentries(), {&target, 1}, kTick, {kSolid, {}});
+    if (tick_ >= safe_until_) // nobody looks for who was just hit
+        watch_.update(world_, sentries(), {&target, 1}, kTick, {kSolid, {}});
     for (size_t i = 0; i < drones_.size(); ++i) {
         Drone& drone = drones_[i];
         const Mood before = drone.mood();
@@ -151,7 +150,7 @@ void Game::shoot(const Drone& drone) {
     rules.radius = kBoltRadius;
     rules.mask.layers = kSolid;
     const Vec3 from = drone.position() + 0.4 * way;
-    bolts_.push_back({Projectile(rules, double(tick_) * kTick, from, rules_.bolt_speed * way), from,
+    bolts_.push_back({Projectile(rules, double(tick_) * kTick, from, rules_.bolt_speed * way),
                       tick_ + kBoltTicks});
     say(Sound::shot, from);
 }
@@ -160,10 +159,9 @@ void Game::fly_bolts() {
     bool hit = false;
     const Capsule body = player_.capsule();
     for (Bolt& bolt : bolts_) {
-        bolt.before = bolt.flight.position();
+        const Vec3 before = bolt.flight.position();
         bolt.flight.advance(world_, double(tick_) * kTick);
-        hit |=
-            distance_to_body(bolt.before, bolt.flight.position(), body) < body.radius + kBoltRadius;
+        hit |= distance_to_body(before, bolt.flight.position(), body) < body.radius + kBoltRadius;
     }
     std::erase_if(bolts_,
                   [&](const Bolt& bolt) { return bolt.flight.is_spent() || bolt.end <= tick_; });

@@ -28,12 +28,6 @@ struct LiftPlan {
     Vec3 top{0};
 };
 
-// A grille that rises by its own height; behind it, on the floor, the place to reach.
-struct GatePlan {
-    Part part;
-    Vec3 exit{0};
-};
-
 // What makes the player visible.
 struct Lamp {
     enum class Kind { point, spot, sun } kind = Kind::point;
@@ -52,8 +46,8 @@ struct Plan {
     std::vector<Part> doors;                // leaves; see door.h
     std::vector<Part> crates;
     std::vector<LiftPlan> lifts;
-    std::vector<GatePlan> gates;
-    std::vector<Vec3> exits; // of gates; or places alone
+    std::vector<Part> gates; // grilles that rise by their height
+    std::vector<Vec3> exits; // on the floor: what to reach in the end
     std::vector<Lamp> lamps;
     Vec3 lower{0}, upper{0}; // of the level
 };

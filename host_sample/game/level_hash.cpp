@@ -39,15 +39,11 @@ void add(StateHash& hash, const three_cores::Lamp& lamp) {
 }
 
 void add(StateHash& hash, const three_cores::Plan& plan) {
-    for (const auto* parts : {&plan.doors, &plan.crates})
+    for (const auto* parts : {&plan.doors, &plan.crates, &plan.gates})
         for (const three_cores::Part& part : *parts) add(hash, part);
     for (const three_cores::LiftPlan& lift : plan.lifts) {
         add(hash, lift.part);
         hash.add(lift.top);
-    }
-    for (const three_cores::GatePlan& gate : plan.gates) {
-        add(hash, gate.part);
-        hash.add(gate.exit);
     }
     for (const three_cores::Spawn& spawn : plan.spawns) {
         hash.add(spawn.feet);

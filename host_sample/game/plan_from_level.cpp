@@ -158,9 +158,8 @@ three_cores::Plan plan_from_level(const Level& level, const Uploaded& uploaded) 
     for (const auto& [number, part] : named.lifts)
         plan.lifts.push_back({part, find_or(named.tops, number, origin_of(part))});
     for (const auto& [number, part] : named.gates) {
-        const Vec3 origin = origin_of(part);
-        plan.gates.push_back({part, find_or(named.exits, number, origin)});
-        named.exits.try_emplace(number, origin);
+        plan.gates.push_back(part);
+        named.exits.try_emplace(number, origin_of(part));
     }
     plan.exits = values_of(named.exits);
     for (const Light& light : level.lights) plan.lamps.push_back(lamp_of(light));

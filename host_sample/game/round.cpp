@@ -19,10 +19,9 @@ void put_to_rest(Stage& stage, const three_cores::Part& part) {
 
 // The game takes for granted that everything is where the file has it.
 const three_cores::Plan& put_to_rest(Stage& stage, const three_cores::Plan& plan) {
-    for (const auto* parts : {&plan.doors, &plan.crates})
+    for (const auto* parts : {&plan.doors, &plan.crates, &plan.gates})
         for (const three_cores::Part& part : *parts) put_to_rest(stage, part);
     for (const three_cores::LiftPlan& lift : plan.lifts) put_to_rest(stage, lift.part);
-    for (const three_cores::GatePlan& gate : plan.gates) put_to_rest(stage, gate.part);
     return plan;
 }
 

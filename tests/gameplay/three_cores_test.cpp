@@ -193,8 +193,8 @@ TEST_F(Round, LightGivesAway) {
 
 TEST_F(Round, ThreeCoresOpenTheGate) {
     for (const double x : {2, 4, 6}) plan_.cores.push_back({x, 1, 0});
-    plan_.gates.push_back({mover({8, 0, -1}, {8.1, 2.4, 1}), {9.5, 0, 0}});
-    plan_.exits = {plan_.gates[0].exit};
+    plan_.gates.push_back(mover({8, 0, -1}, {8.1, 2.4, 1}));
+    plan_.exits = {{9.5, 0, 0}};
     arena_.add_box({8, 0, -30}, {8.1, 3, -1});
     arena_.add_box({8, 0, 1}, {8.1, 3, 30});
     Game& game = start();

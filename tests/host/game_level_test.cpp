@@ -157,7 +157,7 @@ TEST(Plan, OfTheHall) {
     EXPECT_NEAR(plan.lifts[0].part.lower.y, -0.14, 1e-6);
 
     ASSERT_EQ(plan.gates.size(), 1u);
-    expect_near(plan.gates[0].exit, {25.6, 0, -16});
+    expect_near(plan.exits[0], {25.6, 0, -16});
     for (const three_cores::Part& crate : plan.crates) {
         EXPECT_GE(crate.meshes.size(), 1u);
         EXPECT_LT(crate.lower.x, 0);

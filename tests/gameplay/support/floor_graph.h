@@ -12,7 +12,8 @@ using gameplay::Vec3;
 
 // Where a person could go from a place: points of the floor on a grid, with links where the floor
 // goes on and there is room for a body. Found by rays and by bodies a little too large, without the
-// character that is to walk there.
+// character that is to walk there, and with the narrow places that the game's own floors
+// (gameplay/three_cores/floors.h) leave out.
 class FloorGraph {
 public:
     FloorGraph(const gameplay::World& world, const gameplay::CharacterRules& rules)
