@@ -11,7 +11,6 @@ namespace {
 
 using gameplay::Mood;
 
-constexpr double kClosed = 9;    // m: ends nearer than this make a round a loop
 constexpr double kHurry = 1.6;   // times the speed, when alarmed
 constexpr double kSway = 0.55;   // how far the gaze goes to the sides
 constexpr double kSwayEvery = 5; // s
@@ -28,7 +27,7 @@ double triangle_wave(double phase) {
 } // namespace
 
 Drone::Drone(std::vector<Vec3> round, double phase) : round_(std::move(round)), clock_(phase) {
-    loop_ = round_.size() > 2 && glm::distance(round_.front(), round_.back()) < kClosed;
+    loop_ = round_.size() > 2 && glm::distance(round_.front(), round_.back()) < kLoopDistance;
     if (loop_) round_.push_back(round_.front());
     ends_.push_back(0);
     for (size_t i = 1; i < round_.size(); ++i)

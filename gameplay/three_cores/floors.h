@@ -25,9 +25,6 @@ public:
     // places in all. Returns the place under `place`; kNone if nobody can stand there.
     uint32_t explore(const Vec3& place, size_t most);
 
-    // One can go from a to b all the same: by a lift, say. And back, by a second call.
-    void link(uint32_t a, uint32_t b);
-
     size_t size() const { return nodes_.size(); }
     const Vec3& place(uint32_t node) const { return nodes_[node].place; } // on the floor
     std::span<const uint32_t> links(uint32_t node) const { return nodes_[node].links; }
@@ -56,6 +53,7 @@ private:
     bool has_room(const Vec3& place) const;
     bool has_headroom(const Vec3& from, const Vec3& to) const;
     bool can_go(const Vec3& from, const Vec3& to) const;
+    void link(uint32_t from, uint32_t to);
     void try_direction(uint32_t node, uint32_t direction);
     bool can_see(const Vec3& from, const Vec3& floor) const;
     gameplay::Capsule torso(const Vec3& place) const;

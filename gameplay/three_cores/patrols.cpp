@@ -18,14 +18,13 @@ constexpr double kClearance = 0.45;              // metres: a drone and some air
 constexpr double kEye = 1.6;                     // of who stands at the spawn
 constexpr double kPeace = 10;                    // metres around the spawn where no drone sees it
 constexpr double kShortest = 1.5, kLongest = 16; // metres: legs
-constexpr double kLoop = 9.5;    // metres: ends nearer than this are joined by a leg, too
-constexpr size_t kPoints = 4;    // of a round
-constexpr size_t kPlaces = 300;  // of the graph for a drone
-constexpr size_t kMost = 6;      // drones
-constexpr uint32_t kStarts = 64; // tried for each drone
-constexpr double kLevel = 0.2;   // how steep, of how far
-constexpr uint32_t kRounds = 8;  // of which the longest is taken
-constexpr uint32_t kTries = 24;  // for each point
+constexpr size_t kPoints = 4;                    // of a round
+constexpr size_t kPlaces = 300;                  // of the graph for a drone
+constexpr size_t kMost = 6;                      // drones
+constexpr uint32_t kStarts = 64;                 // tried for each drone
+constexpr double kLevel = 0.2;                   // how steep, of how far
+constexpr uint32_t kRounds = 8;                  // of which the longest is taken
+constexpr uint32_t kTries = 24;                  // for each point
 
 class Planner {
 public:
@@ -111,7 +110,7 @@ private:
                 round.push_back(*next);
             else
                 break;
-        while (round.size() > 2 && glm::distance(round.front(), round.back()) < kLoop
+        while (round.size() > 2 && glm::distance(round.front(), round.back()) < kLoopDistance
                && !is_leg(round.back(), round.front()))
             round.pop_back();
         return round;

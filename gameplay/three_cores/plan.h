@@ -38,11 +38,14 @@ struct Lamp {
     double cos_inner = 1, cos_outer = 0.7;
 };
 
+// A round whose ends are nearer than this is flown as a loop.
+constexpr double kLoopDistance = 9; // metres
+
 struct Plan {
     uint64_t level = 0; // tells levels apart
     std::vector<Spawn> spawns;
     std::vector<Vec3> cores;
-    std::vector<std::vector<Vec3>> patrols; // of a drone each; a loop if the end is near the start
+    std::vector<std::vector<Vec3>> patrols; // of a drone each
     std::vector<Part> doors;                // leaves; see door.h
     std::vector<Part> crates;
     std::vector<LiftPlan> lifts;

@@ -19,28 +19,6 @@ double cost(const Floors& floors, uint32_t from, uint32_t to) {
     return floors.links(to).size() < kOpen ? kBesideWalls * length : length;
 }
 
-bool meets(const Vec3& from, const Vec3& to, const Blocker& box) {
-    double first = 0, last = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double start = from[axis], motion = to[axis] - start;
-        double a = box.lower[axis] - start, b = box.upper[axis] - start;
-        if (motion == 0) {
-            if (a > 0 || b < 0) return false;
-            continue;
-        }
-        a /= motion;
-        b /= motion;
-        first = std::max(first, std::min(a, b));
-        last = std::min(last, std::max(a, b));
-    }
-    return first <= last;
-}
-
-bool is_blocked(const Vec3& from, const Vec3& to, std::span<const Blocker> blockers) {
-    return std::any_of(blockers.begin(), blockers.end(),
-                       [&](const Blocker& box) { return meets(from, to, box); });
-}
-
 // Of equal costs the place found first goes first.
 using Entry = std::pair<double, uint32_t>;
 using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
@@ -67,8 +45,7 @@ std::vector<double> distances_from(const Floors& floors, uint32_t from) {
     return distances;
 }
 
-std::vector<uint32_t> find_way(const Floors& floors, uint32_t from, uint32_t to,
-                               std::span<const Blocker> blockers) {
+std::vector<uint32_t> find_way(const Floors& floors, uint32_t from, uint32_t to) {
     if (from >= floors.size() || to >= floors.size()) return {};
     std::vector<double> distances(floors.size(), kNever);
     std::vector<uint32_t> parents(floors.size(), Floors::kNone);
@@ -84,7 +61,6 @@ std::vector<uint32_t> find_way(const Floors& floors, uint32_t from, uint32_t to,
         for (const uint32_t next : floors.links(node)) {
             const double sum = distances[node] + cost(floors, node, next);
             if (sum >= distances[next]) continue;
-            if (is_blocked(floors.place(node), floors.place(next), blockers)) continue;
             distances[next] = sum;
             parents[next] = node;
             queue.emplace(sum + glm::length(floors.place(to) - floors.place(next)), next);
@@ -97,10 +73,9 @@ std::vector<uint32_t> find_way(const Floors& floors, uint32_t from, uint32_t to,
     return way;
 }
 
-std::vector<Vec3> find_way(const Floors& floors, const Vec3& from, const Vec3& to,
-                           std::span<const Blocker> blockers) {
+std::vector<Vec3> find_way(const Floors& floors, const Vec3& from, const Vec3& to) {
     std::vector<Vec3> points;
-    for (const uint32_t node : find_way(floors, floors.nearest(from), floors.nearest(to), blockers))
+    for (const uint32_t node : find_way(floors, floors.nearest(from), floors.nearest(to)))
         points.push_back(floors.place(node));
     return points;
 }
