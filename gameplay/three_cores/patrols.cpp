@@ -1,6 +1,7 @@
 #include "gameplay/three_cores/patrols.h"
 
 #include "gameplay/random.h"
+#include "gameplay/three_cores/plan.h"
 #include "gameplay/three_cores/rules.h"
 #include "gameplay/three_cores/way.h"
 
