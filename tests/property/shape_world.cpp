@@ -33,7 +33,11 @@ void ShapeWorld::add(std::vector<geometry::Triangle> triangles, scene::MeshKind 
     }
     scene_->touch_triangles(kind);
     meshes_.push_back(
-        {scene_->meshes.insert(mesh), std::move(triangles), kind, layer_mask, to_world});
+        {scene_->meshes.insert(mesh), std::move(triangles), kind, layer_mask, to_world, {}});
+    ShapeMesh& added = meshes_.back();
+    for (const geometry::Triangle& t : added.triangles)
+        added.boxes.add(added.in_the_world(t.v0), added.in_the_world(t.v1),
+                        added.in_the_world(t.v2));
 }
 
 void ShapeWorld::commit() {
@@ -48,23 +52,33 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Calls visit(mesh, triangle, corners, side) for all that the selection sees; `side` is -1 where
-// the mesh is mirrored.
+// Calls visit(mesh, triangle, corners, side) for all in the swath that the selection sees; `side`
+// is -1 where the mesh is mirrored.
 template <class Visit>
 void for_each_triangle(const std::vector<ShapeMesh>& meshes, const query::Selection& selection,
-                       const Vec3& center, Visit&& visit) {
+                       const Swath& swath, Visit&& visit) {
+    std::vector<uint32_t> near;
     for (const ShapeMesh& mesh : meshes) {
         if ((mesh.layer_mask & selection.layer_mask) == 0 || mesh.handle == selection.ignore_mesh)
             continue;
-        for (const geometry::Triangle& t : mesh.triangles) {
-            const auto at = [&](const Vec3& v) {
-                return mesh.kind == scene::MeshKind::rigid ? mesh.to_world.point(Vec3d(v))
-                                                           : Vec3d(v);
-            };
-            visit(mesh, t, geometry::Corners(at(t.v0), at(t.v1), at(t.v2), Vec3d(center)),
+        const auto visit_one = [&](const geometry::Triangle& t) {
+            visit(mesh, t,
+                  geometry::Corners(mesh.in_the_world(t.v0), mesh.in_the_world(t.v1),
+                                    mesh.in_the_world(t.v2), swath.center),
                   mesh.mirrored() ? -1.0 : 1.0);
+        };
+        if (mesh.boxes.empty()) {
+            for (const geometry::Triangle& t : mesh.triangles) visit_one(t);
+            continue;
         }
+        near.clear();
+        mesh.boxes.find(swath, near);
+        for (uint32_t i : near) visit_one(mesh.triangles[i]);
     }
+}
+
+double length(const Vec3& v) {
+    return glm::length(Vec3d(v));
 }
 
 bool sees(const query::Selection& selection, double front) {
@@ -84,7 +98,9 @@ query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::S
                             const query::Selection& selection) {
     query::SweepHit best{kInfinity, Vec3(0), Vec3(0), 0, geometry::kNoTriangle, {}, 0};
     const geometry::Sweep test(sweep.center, sweep.axis, sweep.direction, sweep.radius);
-    for_each_triangle(meshes, selection, sweep.center,
+    for_each_triangle(meshes, selection,
+                      {Vec3d(sweep.center), double(sweep.radius) + length(sweep.axis),
+                       Vec3d(sweep.direction), sweep.t_max},
                       [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
                           const geometry::Corners& corners, double side) {
                           geometry::Contact contact;
@@ -117,10 +133,14 @@ std::vector<query::OverlapHit> brute_overlap(const std::vector<ShapeMesh>& meshe
                                              const query::Selection& selection) {
     const bool is_capsule = shape.kind == query::Shape::capsule && shape.extent != Vec3(0);
     const double rr = double(shape.radius) * double(shape.radius);
+    const double radius = shape.kind == query::Shape::sphere ? shape.radius
+                          : shape.kind == query::Shape::box
+                              ? length(shape.extent)
+                              : double(shape.radius) + length(shape.extent);
     const geometry::Cuboid box = query::cuboid_of(shape);
     std::vector<query::OverlapHit> hits;
     for_each_triangle(
-        meshes, selection, shape.center,
+        meshes, selection, {Vec3d(shape.center), radius, Vec3d(0), 0},
         [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
             const geometry::Corners& corners, double side) {
             const geometry::Face face = geometry::face_of(corners);
@@ -138,7 +158,7 @@ std::vector<query::OverlapHit> brute_overlap(const std::vector<ShapeMesh>& meshe
 query::NearestPoint brute_nearest(const std::vector<ShapeMesh>& meshes, const query::Point& point,
                                   const query::Selection& selection) {
     query::NearestPoint best{kInfinity, Vec3(0), Vec3(0), 0, 0, geometry::kNoTriangle, {}};
-    for_each_triangle(meshes, selection, point.position,
+    for_each_triangle(meshes, selection, {Vec3d(point.position), point.radius, Vec3d(0), 0},
                       [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
                           const geometry::Corners& corners, double side) {
                           const geometry::Face face = geometry::face_of(corners);
