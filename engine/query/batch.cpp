@@ -1,9 +1,9 @@
 #include "query/batch.h"
 
 #include "query/check_rays.h"
+#include "query/hit_stores.h"
 #include "query/ray_loaders.h"
 #include "query/spread.h"
-#include "query/store_hit.h"
 #include "query/valid_ray.h"
 #include "trace/world/stream.h"
 
@@ -97,7 +97,8 @@ private:
 // Room for a chunk's hits, and their way to the host.
 class HitChunk {
 public:
-    explicit HitChunk(const scene::Snapshot& snapshot) : snapshot_(snapshot), names_(snapshot) {}
+    explicit HitChunk(const scene::Snapshot& snapshot)
+        : snapshot_(snapshot), names_(snapshot), stores_(hit_stores(snapshot.isa())) {}
 
     // Where the kernel is to put them: in the host's arrays where they allow that.
     trace::HitStream begin(const Hits& hits, uint64_t first, uint32_t count) {
@@ -116,7 +117,11 @@ public:
     }
 
     void end(const Hits& hits, const Surfaces& surfaces, uint64_t first, uint32_t count) const {
-        hits.records ? store_records(hits, first, count) : store_arrays(hits.arrays, first, count);
+        if (hits.records)
+            stores_.records(names_, stream_, count, hits.records + first * hits.stride,
+                            hits.stride);
+        else
+            store_arrays(hits.arrays, first, count);
         if (surfaces) [[unlikely]]
             for (uint32_t i = 0; i < count; ++i)
                 surfaces.store(first + i, surface_at(snapshot_, hit(i), surfaces.fields));
@@ -129,13 +134,6 @@ private:
                 stream_.back_face[i]};
     }
 
-    void store_records(const Hits& hits, uint64_t first, uint32_t count) const {
-        std::byte* place = hits.records + first * hits.stride;
-        for (uint32_t i = 0; i < count; ++i, place += hits.stride)
-            store_hit(t_.value[i], u_.value[i], v_.value[i], names_.of(triangle_.value[i]),
-                      back_face_.value[i], place);
-    }
-
     void store_arrays(const HitArrays& arrays, uint64_t first, uint32_t count) const {
         const auto copy = [&](const auto* from, auto* array) {
             if (array && from != array + first)
@@ -146,16 +144,15 @@ private:
         copy(stream_.u, arrays.u);
         copy(stream_.v, arrays.v);
         copy(stream_.back_face, arrays.back_face);
-        if (arrays.triangle)
-            for (uint32_t i = 0; i < count; ++i)
-                store_element(arrays.triangle, first + i, names_.of(triangle_.value[i]).triangle);
-        if (arrays.mesh)
-            for (uint32_t i = 0; i < count; ++i)
-                store_element(arrays.mesh, first + i, names_.of(triangle_.value[i]).mesh);
+        const auto from_first = [first](auto* array) { return array ? array + first : nullptr; };
+        if (arrays.triangle || arrays.mesh)
+            stores_.names(names_, triangle_.value, count, from_first(arrays.triangle),
+                          from_first(arrays.mesh));
     }
 
     const scene::Snapshot& snapshot_;
     HitNames names_;
+    const HitStores& stores_;
     trace::HitStream stream_;
     Lane<float> t_, u_, v_;
     Lane<uint32_t> triangle_, back_face_;

@@ -1,6 +1,6 @@
 #include "render/visibility.h"
 
-#include "query/store_hit.h"
+#include "query/hit_stores.h"
 #include "query/surface.h"
 
 #include <cstring>
@@ -13,14 +13,22 @@ template <class Element>
 void write(const Plane& plane, const Tile& tile, const Element* values) {
     std::byte* const corner = static_cast<std::byte*>(plane.data) + tile.y0 * plane.row_stride
                               + tile.x0 * sizeof(Element);
-    const auto copy = [&](uint32_t i, size_t size) {
-        std::memcpy(corner + tile.y[i] * plane.row_stride + tile.x[i] * sizeof(Element), values + i,
-                    size);
-    };
-    if (tile.count == kTileRays) // then rays 2i and 2i + 1 are neighbours in a row
-        for (uint32_t i = 0; i < kTileRays; i += 2) copy(i, 2 * sizeof(Element));
-    else
-        for (uint32_t i = 0; i < tile.count; ++i) copy(i, sizeof(Element));
+    if (tile.count != kTileRays) {
+        for (uint32_t i = 0; i < tile.count; ++i)
+            std::memcpy(corner + tile.y[i] * plane.row_stride + tile.x[i] * sizeof(Element),
+                        values + i, sizeof(Element));
+        return;
+    }
+    // Any eight rays are two rows of four pixels, pair by pair.
+    for (uint32_t i = 0; i < kTileRays; i += 8) {
+        std::byte* const place =
+            corner + tile.y[i] * plane.row_stride + tile.x[i] * sizeof(Element);
+        std::memcpy(place, values + i, 2 * sizeof(Element));
+        std::memcpy(place + 2 * sizeof(Element), values + i + 4, 2 * sizeof(Element));
+        std::memcpy(place + plane.row_stride, values + i + 2, 2 * sizeof(Element));
+        std::memcpy(place + plane.row_stride + 2 * sizeof(Element), values + i + 6,
+                    2 * sizeof(Element));
+    }
 }
 
 struct TileIds {
@@ -28,12 +36,8 @@ struct TileIds {
     base::Handle mesh[kTileRays];
 
     TileIds(const scene::Snapshot& snapshot, const uint32_t* triangles, uint32_t count) {
-        const query::HitNames names(snapshot);
-        for (uint32_t i = 0; i < count; ++i) {
-            const query::HitIds ids = names.of(triangles[i]);
-            triangle[i] = ids.triangle;
-            mesh[i] = ids.mesh;
-        }
+        query::hit_stores(snapshot.isa())
+            .names(query::HitNames(snapshot), triangles, count, triangle, mesh);
     }
 };
 
