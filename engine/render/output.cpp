@@ -3,8 +3,6 @@
 #include "render/display_curve.h"
 #include "render/half.h"
 
-#include <cstring>
-
 namespace peregrine::render {
 namespace {
 
@@ -30,14 +28,10 @@ void map_nothing(float, uint32_t, TileColors&) {}
 
 template <class Pixel, class Encode>
 void write_pixels(const Frame& frame, const Tile& tile, const TileColors& colors, Encode&& encode) {
-    auto* first = static_cast<std::byte*>(frame.pixels) + tile.y0 * frame.row_stride
-                  + tile.x0 * sizeof(Pixel);
-    for (uint32_t i = 0; i < tile.count; ++i) {
-        const Pixel pixel =
-            encode(colors.channel[0][i], colors.channel[1][i], colors.channel[2][i]);
-        std::memcpy(first + tile.y[i] * frame.row_stride + tile.x[i] * sizeof(Pixel), &pixel,
-                    sizeof pixel);
-    }
+    Pixel pixels[kTileRays];
+    for (uint32_t i = 0; i < tile.count; ++i)
+        pixels[i] = encode(colors.channel[0][i], colors.channel[1][i], colors.channel[2][i]);
+    store_tile(tile, pixels, frame.pixels, frame.row_stride);
 }
 
 struct Bytes {

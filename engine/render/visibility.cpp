@@ -3,32 +3,12 @@
 #include "query/hit_stores.h"
 #include "query/surface.h"
 
-#include <cstring>
-
 namespace peregrine::render {
 namespace {
 
-// Values in the order of the tile's rays to their places in the plane.
 template <class Element>
 void write(const Plane& plane, const Tile& tile, const Element* values) {
-    std::byte* const corner = static_cast<std::byte*>(plane.data) + tile.y0 * plane.row_stride
-                              + tile.x0 * sizeof(Element);
-    if (tile.count != kTileRays) {
-        for (uint32_t i = 0; i < tile.count; ++i)
-            std::memcpy(corner + tile.y[i] * plane.row_stride + tile.x[i] * sizeof(Element),
-                        values + i, sizeof(Element));
-        return;
-    }
-    // Any eight rays are two rows of four pixels, pair by pair.
-    for (uint32_t i = 0; i < kTileRays; i += 8) {
-        std::byte* const place =
-            corner + tile.y[i] * plane.row_stride + tile.x[i] * sizeof(Element);
-        std::memcpy(place, values + i, 2 * sizeof(Element));
-        std::memcpy(place + 2 * sizeof(Element), values + i + 4, 2 * sizeof(Element));
-        std::memcpy(place + plane.row_stride, values + i + 2, 2 * sizeof(Element));
-        std::memcpy(place + plane.row_stride + 2 * sizeof(Element), values + i + 6,
-                    2 * sizeof(Element));
-    }
+    store_tile(tile, values, plane.data, plane.row_stride);
 }
 
 struct TileIds {

@@ -5,6 +5,7 @@
 #include "trace/world/stream.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace peregrine::render {
@@ -14,12 +15,24 @@ static_assert(kTileRays % shade::kBatch == 0 && kTileRays <= trace::kMaxStream);
 
 namespace {
 
-// Four rays in a tile's order: two in a row, two in the next.
-void fill_square(const float* across, const float* down, float* direction) {
-    direction[0] = across[0] + down[0];
-    direction[1] = across[1] + down[0];
-    direction[2] = across[0] + down[1];
-    direction[3] = across[1] + down[1];
+// Sums of a column's and a row's value for the rays of a whole tile, of which any eight from a
+// multiple of eight on are two rows of four pixels, pair by pair.
+void fill_whole(const float* across, const float* down, float* sums) {
+    constexpr size_t kPair = 2 * sizeof(float);
+    for (uint32_t y = 0; y < kTileSize; y += 2) {
+        float upper[kTileSize], lower[kTileSize];
+        for (uint32_t x = 0; x < kTileSize; ++x) {
+            upper[x] = across[x] + down[y];
+            lower[x] = across[x] + down[y + 1];
+        }
+        for (uint32_t x = 0; x < kTileSize; x += 4) {
+            float* const eight = sums + Tile::ray_of(x, y);
+            std::memcpy(eight, upper + x, kPair);
+            std::memcpy(eight + 2, lower + x, kPair);
+            std::memcpy(eight + 4, upper + x + 2, kPair);
+            std::memcpy(eight + 6, lower + x + 2, kPair);
+        }
+    }
 }
 
 } // namespace
@@ -52,9 +65,8 @@ void Worker::make_rays(const Pinhole& pinhole) {
             down[i] = pinhole.down[k] * (float(int32_t(tile_.y0 + i)) + 0.5f);
         }
         float* const direction = direction_[k];
-        if (tile_.count == kTileRays)
-            for (uint32_t i = 0; i < kTileRays; i += 4)
-                fill_square(across + tile_.x[i], down + tile_.y[i], direction + i);
+        if (tile_.is_whole())
+            fill_whole(across, down, direction);
         else
             for (uint32_t i = 0; i < tile_.count; ++i)
                 direction[i] = across[tile_.x[i]] + down[tile_.y[i]];

@@ -13,7 +13,8 @@ struct Options {
     uint32_t threads = 1;
     uint32_t passes = 5;
     uint32_t size = 1024;
-    std::vector<std::string> rays; // letters of trace_rays.h
+    std::vector<std::string> rays;  // letters of trace_rays.h
+    std::vector<std::string> modes; // of ours; none: all
     std::string structure = "auto";
     std::string build = "balanced";
     std::string peer_build = "high";

@@ -77,6 +77,10 @@ void add_trace_options(CLI::App& trace, Options& options) {
         ->capture_default_str()
         ->check(CLI::IsMember({"best", "scalar", "sse4", "avx2", "avx512"}));
     trace
+        .add_option("--mode", options.modes,
+                    "Our modes: single, batch, \"batch, hint\", arrays, frame; default: all")
+        ->check(CLI::IsMember({"single", "batch", "batch, hint", "arrays", "frame"}));
+    trace
         .add_option("--peer", options.peers,
                     "Peers: embree, embree-avx2 (kept from using AVX-512), embree-robust")
         ->delimiter(',')

@@ -47,7 +47,7 @@ public:
             tracer.prepare(set_, results_);
             const size_t first = entrants_.size();
             for (size_t mode = 0; mode < tracer.mode_count(); ++mode) {
-                if (!tracer.suits(mode, set_)) continue;
+                if (!tracer.suits(mode, set_) || !is_wanted(contestant, mode)) continue;
                 double seconds = runner_.run(tracer, mode, set_, results_);
                 if (contestant.peer) // the choice between its modes should not be left to chance
                     seconds = std::min(seconds, runner_.run(tracer, mode, set_, results_));
@@ -98,6 +98,13 @@ private:
         size_t i = 0;
         while (entrants_[i].contestant != &contestant) ++i;
         return i;
+    }
+
+    bool is_wanted(const Contestant& contestant, size_t mode) const {
+        const std::vector<std::string>& modes = options_.modes;
+        return contestant.peer || modes.empty()
+               || std::find(modes.begin(), modes.end(), contestant.tracer->mode_name(mode))
+                      != modes.end();
     }
 
     // Of one contestant's entrants, which begin at `first`.
