@@ -9,9 +9,10 @@
 namespace peregrine::gameplay {
 namespace {
 
-constexpr double kLeastStep = 0.4;      // radii; carries over ridges that carry nobody
-constexpr double kLeastProgress = 1e-4; // metres
-constexpr double kTolerance = 1e-3;     // metres, of the height of a step
+constexpr double kLeastStep = 0.4;                // radii; carries over ridges that carry nobody
+constexpr double kLeastProgress = 1e-4;           // metres
+constexpr double kTolerance = 1e-3;               // metres, of the height of a step
+constexpr double kLifts[] = {1, 0.75, 0.5, 0.25}; // of the room above, tried in turn
 
 // How much higher a slope is at the front of the body than below its middle.
 double rise_ahead(const Vec3& ground, const Vec3& motion, double radius) {
@@ -58,7 +59,12 @@ bool climb_step(const Body& body, const Vec3& ground, Vec3& position, Vec3& moti
     if (raised.y - position.y < kLeastProgress) return false;
 
     Step step;
-    Outcome outcome = try_step(body, position, raised, motion, height, step);
+    Outcome outcome = Outcome::blocked;
+    for (const double lift : kLifts) { // lower ones for what hangs over the step
+        const Vec3 lifted(position.x, glm::mix(position.y, raised.y, lift), position.z);
+        outcome = try_step(body, position, lifted, motion, height, step);
+        if (outcome != Outcome::blocked) break;
+    }
     const double least = kLeastStep * rules.radius;
     if (outcome == Outcome::no_ground && length < least) // a sharp ridge, met slowly
         outcome = try_step(body, position, raised, motion * (least / length), height, step);

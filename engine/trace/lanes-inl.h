@@ -25,6 +25,9 @@ using V8 = hn::Vec<D8>;
 using V8u = hn::Vec<D8u>;
 using M8 = hn::Mask<D8>;
 
+// Whether rays that have nothing in common go in waves (bvh/wave-inl.h), not one by one.
+constexpr bool kWaves = HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3;
+
 // Triangles of a block.
 using D4 = hn::CappedTag<float, 4>;
 constexpr D4 k4;

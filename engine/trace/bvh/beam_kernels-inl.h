@@ -73,6 +73,8 @@ public:
         : target_(target), beam_(beam), rays_(rays), filter_(filter),
           board_(rays, out, beam.first, beam.count) {}
 
+    static uint32_t most_tiny() { return ~0u; }
+
     HWY_ATTR void trace() { board_.finish(visit_beam(target_, beam_, *this)); }
 
     HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
@@ -127,9 +129,15 @@ public:
                           const Filter& filter)
         : target_(target), beam_(beam), rays_(rays), filter_(filter), planes_(beam) {}
 
-    HWY_ATTR void trace(uint8_t* occluded) {
-        visit_beam(target_, beam_, *this);
+    // Where rays hit triangles smaller than what lies between them, a wave is faster, if there are
+    // any.
+    uint32_t most_tiny() const { return kWaves ? beam_.count / 3 : ~0u; }
+
+    // False: these rays had better not be a beam, and nothing is known of them.
+    HWY_ATTR bool trace(uint8_t* occluded) {
+        if (visit_beam(target_, beam_, *this) == kGaveUp) return false;
         report(occluded + beam_.first);
+        return true;
     }
 
     HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,

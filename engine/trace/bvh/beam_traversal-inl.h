@@ -29,6 +29,8 @@ struct BeamEntry {
     bool tiny; // a leaf that few rays can hit
 };
 
+inline constexpr uint32_t kGaveUp = ~0u;
+
 template <class Kernel>
 HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link leaf,
                                     uint32_t mask, const Window& window, float limit,
@@ -57,13 +59,15 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
 
 // Goes through what the beam may hit, roughly from near to far. `kernel.judge(facets, block, lane,
 // group, candidates)` decides for the rays of a group and a facet, `kernel.take(at, index, hit)`
-// hears of the hit of a ray that was tested alone. Returns the number of nodes visited.
+// hears of the hit of a ray that was tested alone. Returns the number of nodes visited, or kGaveUp
+// after more than kernel.most_tiny() tiny leaves.
 template <class Kernel>
 HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
     BeamEntry stack[accel::bvh::kStackSize];
     Window windows[accel::bvh::kStackSize]; // of those entries that are tiny
     uint32_t depth = 0;
     uint32_t visited = 0;
+    uint32_t tiny_left = kernel.most_tiny();
     stack[depth++] = {Link::inner(0), beam.groups, 0, false};
     Window window = beam.window;
     uint32_t window_groups = beam.groups;
@@ -72,6 +76,7 @@ HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
         const uint32_t groups = beam.reaching(entry.groups, entry.z);
         if (groups == 0) continue;
         if (entry.tiny) {
+            if (tiny_left-- == 0) return kGaveUp;
             visit_tiny_leaf(target, beam, entry.link, groups, entry.z, windows[depth], kernel);
             continue;
         }

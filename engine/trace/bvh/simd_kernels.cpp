@@ -54,8 +54,10 @@ HWY_ATTR void closest_stream(const Target& target, const RayStream& rays, const 
                              const HitStream& hits) {
     Splitter(
         target, rays,
-        [&](Beam& beam)
-            HWY_ATTR { ClosestBeam<Filtered>(target, beam, rays, filter, hits).trace(); },
+        [&](Beam& beam) HWY_ATTR {
+            ClosestBeam<Filtered>(target, beam, rays, filter, hits).trace();
+            return true;
+        },
         [&](Pencil& pencil)
             HWY_ATTR { ClosestPencil<Filtered>(target, pencil, rays, filter, hits).trace(); },
         [&](uint32_t first, uint32_t count) HWY_ATTR {
@@ -70,7 +72,7 @@ HWY_ATTR void occluded_stream(const Target& target, const RayStream& rays, const
     Splitter(
         target, rays,
         [&](Beam& beam)
-            HWY_ATTR { OccludedBeam<Filtered>(target, beam, rays, filter).trace(result); },
+            HWY_ATTR { return OccludedBeam<Filtered>(target, beam, rays, filter).trace(result); },
         [&](Pencil& pencil)
             HWY_ATTR { OccludedPencil<Filtered>(target, pencil, rays, filter).trace(result); },
         [&](uint32_t first, uint32_t count) HWY_ATTR {

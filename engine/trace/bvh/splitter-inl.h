@@ -42,7 +42,8 @@ inline bool may_be_pencil(const RayStream& rays, uint32_t first, uint32_t count)
 }
 
 // Cuts a stream into beams, which share an origin, pencils, which are alike, and waves, which may
-// be anything: as many rays at a time as make one, halves where they do not.
+// be anything: as many rays at a time as make one, halves where they do not. beams(beam) returns
+// false if the rays should go in waves instead.
 template <class Beams, class Pencils, class Waves>
 class Splitter {
 public:
@@ -50,7 +51,7 @@ public:
                       Waves waves)
         : target_(target), rays_(rays), beams_(beams), pencils_(pencils), waves_(waves) {
         if (rays.coherence != Coherence::incoherent)
-            for (uint32_t first = 0; first < rays.count; first += kBeamRays)
+            for (uint32_t first = 0; first < rays.count && !no_beams_; first += kBeamRays)
                 split(first, std::min(kBeamRays, rays.count - first));
         flush(rays.count);
     }
@@ -62,8 +63,9 @@ private:
     HWY_ATTR void split(uint32_t first, uint32_t count) {
         if (may_be_beam(rays_, first, count)) {
             if (count > kLeastBeam && beam_.gather(target_, rays_, first, count)) {
+                no_beams_ = !beams_(beam_);
+                if (no_beams_) return;
                 flush(first);
-                beams_(beam_);
                 waiting_ = first + count;
                 return;
             }
@@ -78,7 +80,7 @@ private:
         if (count <= kGroupRays) return;
         const uint32_t half = (count / 2 + kGroupRays - 1) / kGroupRays * kGroupRays;
         split(first, half);
-        split(first + half, count - half);
+        if (!no_beams_) split(first + half, count - half);
     }
 
     HWY_ATTR void flush(uint32_t end) {
@@ -90,7 +92,8 @@ private:
     Beams beams_;
     Pencils pencils_;
     Waves waves_;
-    uint32_t waiting_ = 0; // first ray that was not traced yet
+    uint32_t waiting_ = 0;  // first ray that was not traced yet
+    bool no_beams_ = false; // one gave up: the rest goes in waves
     Beam beam_;
     Pencil pencil_;
 };
