@@ -7,16 +7,10 @@ namespace {
 
 constexpr uint32_t kTrianglesPerTask = 16384;
 
-} // namespace
-
-Extent extent_of(std::span<const Reference> references) {
-    Extent extent;
-    for (const Reference& reference : references) extent.extend(reference);
-    return extent;
-}
-
-Extent make_references(std::span<const geometry::Triangle> triangles, base::Scheduler& scheduler,
-                       base::Memory* memory, Reference* references) {
+// Calls use(i, bounds of triangle i) for all.
+template <class Use>
+Extent for_triangles(std::span<const geometry::Triangle> triangles, base::Scheduler& scheduler,
+                     base::Memory* memory, const Use& use) {
     const uint32_t tasks = uint32_t((triangles.size() + kTrianglesPerTask - 1) / kTrianglesPerTask);
     base::Vector<Extent> extents(tasks, memory);
     scheduler.for_each(tasks, [&](uint32_t task) {
@@ -24,11 +18,9 @@ Extent make_references(std::span<const geometry::Triangle> triangles, base::Sche
             uint32_t(std::min<size_t>(triangles.size(), size_t(task + 1) * kTrianglesPerTask));
         Extent extent;
         for (uint32_t i = task * kTrianglesPerTask; i < end; ++i) {
-            Bounds bounds;
-            for (const math::Vec3* v : {&triangles[i].v0, &triangles[i].v1, &triangles[i].v2})
-                bounds.extend(load(*v));
-            references[i] = Reference::make(i, bounds);
-            extent.extend(references[i]);
+            const Bounds bounds = bounds_of(triangles[i]);
+            use(i, bounds);
+            extent.extend(bounds);
         }
         extents[task] = extent;
     });
@@ -38,6 +30,26 @@ Extent make_references(std::span<const geometry::Triangle> triangles, base::Sche
         extent.centers.extend(part.centers);
     }
     return extent;
+}
+
+} // namespace
+
+Extent extent_of(std::span<const Reference> references) {
+    Extent extent;
+    for (const Reference& reference : references) extent.extend(reference);
+    return extent;
+}
+
+Extent extent_of(std::span<const geometry::Triangle> triangles, base::Scheduler& scheduler,
+                 base::Memory* memory) {
+    return for_triangles(triangles, scheduler, memory, [](uint32_t, const Bounds&) {});
+}
+
+Extent make_references(std::span<const geometry::Triangle> triangles, base::Scheduler& scheduler,
+                       base::Memory* memory, Reference* references) {
+    return for_triangles(triangles, scheduler, memory, [&](uint32_t i, const Bounds& bounds) {
+        references[i] = Reference::make(i, bounds);
+    });
 }
 
 } // namespace peregrine::accel

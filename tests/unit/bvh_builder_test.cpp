@@ -235,7 +235,8 @@ TEST(BvhBuilder, PlanesInPlanes) {
 
 TEST(BvhBuilder, CoincidentTrianglesBuildQuickly) {
     Triangles triangles(1000000, make({0, 0, 0}, {1, 0, 0.5f}, {0, 1, 1}));
-    EXPECT_EQ(build_with(triangles, 2).report.references, triangles.size());
+    for (Quality quality : {Quality::fast, Quality::balanced})
+        EXPECT_EQ(build_with(triangles, 2, with(quality)).report.references, triangles.size());
     triangles.assign(2000, make({4, 4, 4}, {5, 4, 4}, {4, 5, 4}));
     triangles.push_back(make({0, 0, 0}, {10, 0, 0}, {0, 10, 0}));
     triangles.push_back(make({0, 0, 9}, {10, 0, 9}, {0, 10, 9}));
@@ -290,7 +291,9 @@ TEST(BvhBuilder, SurvivesEveryFailingAllocation) {
 }
 
 TEST(BvhBuilder, ReportsProgressAndCancels) {
-    expect_progress_and_cancellation(builder(), Random(13).soup(10000, 1024));
+    const Triangles triangles = Random(13).soup(10000, 1024);
+    for (Quality quality : kQualities)
+        expect_progress_and_cancellation(builder(with(quality)), triangles);
 }
 
 TEST(BvhBuilder, RefusesTooManyTriangles) {

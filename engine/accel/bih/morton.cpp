@@ -1,39 +1,17 @@
 #include "accel/bih/morton.h"
 
 #include "accel/bin_mapping.h"
-#include "accel/buffer.h"
+#include "accel/morton_order.h"
 
 #include <algorithm>
 #include <bit>
-#include <utility>
 
 namespace peregrine::accel::bih {
 namespace {
 
 constexpr uint32_t kTrianglesPerTask = 16384;
 static_assert(kTrianglesPerTask % kBlock == 0);
-constexpr uint32_t kCells = 1u << (kMortonBits / 3); // along an axis
-constexpr uint32_t kEnough = 4;                      // a leaf, whatever a split might save
-constexpr uint32_t kDigitBits = 10;
-constexpr uint32_t kDigits = 1u << kDigitBits;
-static_assert(kMortonBits % kDigitBits == 0);
-
-struct Key {
-    uint32_t place;
-    uint32_t index;
-};
-
-uint32_t spread(uint32_t x) { // of 10 bits: two zeros behind each
-    x = (x | x << 16) & 0x030000ffu;
-    x = (x | x << 8) & 0x0300f00fu;
-    x = (x | x << 4) & 0x030c30c3u;
-    return (x | x << 2) & 0x09249249u;
-}
-
-uint32_t place_of(const Ints& cell) {
-    return spread(uint32_t(cell[0])) | spread(uint32_t(cell[1])) << 1
-           | spread(uint32_t(cell[2])) << 2;
-}
+constexpr uint32_t kEnough = 4; // a leaf, whatever a split might save
 
 void extend(Bounds& bounds, const Task& task, uint32_t begin, uint32_t end) {
     for (uint32_t i = begin; i < end; ++i) bounds.extend(task.references[i].bounds());
@@ -53,30 +31,6 @@ Bounds bounds_of(const Task& task, uint32_t begin, uint32_t end) {
     return bounds;
 }
 
-// By digits from the lowest one, stably.
-const Key* sort(Key* keys, Key* room, size_t count) {
-    for (uint32_t shift = 0; shift < kMortonBits; shift += kDigitBits) {
-        uint32_t begins[kDigits] = {};
-        const auto digit = [&](const Key& key) { return key.place >> shift & (kDigits - 1); };
-        for (size_t i = 0; i < count; ++i) ++begins[digit(keys[i])];
-        uint32_t sum = 0;
-        for (uint32_t& begin : begins) sum += std::exchange(begin, sum);
-        for (size_t i = 0; i < count; ++i) room[begins[digit(keys[i])]++] = keys[i];
-        std::swap(keys, room);
-    }
-    return keys;
-}
-
-// work(begin, end) for pieces of [0, count).
-template <class Work>
-void for_pieces(size_t count, base::Scheduler& scheduler, Work&& work) {
-    const auto tasks = uint32_t((count + kTrianglesPerTask - 1) / kTrianglesPerTask);
-    scheduler.for_each(tasks, [&](uint32_t task) {
-        const size_t begin = size_t(task) * kTrianglesPerTask;
-        work(begin, std::min(count, begin + kTrianglesPerTask));
-    });
-}
-
 float cost_of(const Range& range, const Halves& halves) {
     const float scale = scale_of(range.cell);
     const float area = accel::half_area((range.cell.upper - range.cell.lower) * scale);
@@ -92,26 +46,16 @@ float cost_of(const Range& range, const Halves& halves) {
 Bounds make_sorted_references(std::span<const geometry::Triangle> triangles,
                               base::Scheduler& scheduler, base::Memory* memory,
                               Reference* references, Bounds* blocks) {
+    const Extent extent = extent_of(triangles, scheduler, memory);
+    const Buffer<MortonKey> keys =
+        sort_along_morton_curve(triangles, extent.centers, kMaxMortonBits, scheduler, memory);
     const size_t count = triangles.size();
-    Buffer<Reference> unsorted(memory);
-    Buffer<Key> keys(memory), room(memory);
-    unsorted.allocate(count);
-    keys.allocate(count);
-    room.allocate(count);
-    const Extent extent = make_references(triangles, scheduler, memory, unsorted.data());
-    const float scale = float(kCells) * scale_of(extent.centers);
-    const Floats last = {kCells - 1, kCells - 1, kCells - 1, 0};
-    for_pieces(count, scheduler, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            const Floats at = (unsorted[i].doubled_center() - extent.centers.lower) * scale;
-            keys[i] = {place_of(__builtin_convertvector(min(at, last), Ints)), uint32_t(i)};
-        }
-    });
-    const Key* const sorted = sort(keys.data(), room.data(), count);
-    for_pieces(count, scheduler, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            const Bounds bounds = unsorted[sorted[i].index].bounds();
-            references[i] = Reference::make(sorted[i].index, bounds, sorted[i].place);
+    const auto tasks = uint32_t((count + kTrianglesPerTask - 1) / kTrianglesPerTask);
+    scheduler.for_each(tasks, [&](uint32_t task) {
+        const size_t begin = size_t(task) * kTrianglesPerTask;
+        for (size_t i = begin; i < std::min(count, begin + kTrianglesPerTask); ++i) {
+            const Bounds bounds = accel::bounds_of(triangles[keys[i].triangle]);
+            references[i] = Reference::make(keys[i].triangle, bounds, keys[i].place);
             if (i % kBlock == 0) blocks[i / kBlock] = Bounds{};
             blocks[i / kBlock].extend(bounds);
         }

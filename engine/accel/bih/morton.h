@@ -6,9 +6,6 @@
 
 namespace peregrine::accel::bih {
 
-// A place on the Morton curve through a cube, 10 bits an axis: bit 3 k + a belongs to axis a.
-inline constexpr uint32_t kMortonBits = 30;
-
 // Neighbours on the curve whose common bounds are at hand.
 inline constexpr uint32_t kBlock = 16;
 inline size_t blocks_for(size_t references) {

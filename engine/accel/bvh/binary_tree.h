@@ -19,6 +19,10 @@ struct BinaryNode {
     bool is_leaf() const { return (second & kLeaf) != 0; }
     uint32_t count() const { return second & ~kLeaf; }
 
+    void set(const Bounds& bounds, uint32_t one, uint32_t other) {
+        store4(with_last_lane(bounds.lower, one), lower);
+        store4(with_last_lane(bounds.upper, other), upper);
+    }
     void set_bounds(const Bounds& bounds) {
         for (int axis = 0; axis < 3; ++axis) {
             lower[axis] = bounds.lower[axis];
@@ -26,7 +30,7 @@ struct BinaryNode {
         }
     }
     Bounds bounds() const {
-        return {Floats{lower[0], lower[1], lower[2], 0}, Floats{upper[0], upper[1], upper[2], 0}};
+        return {with_last_lane(load4(lower), 0), with_last_lane(load4(upper), 0)};
     }
 };
 static_assert(sizeof(BinaryNode) == 32);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/buffer.h"
 #include "accel/bvh/binary_tree.h"
 #include "accel/bvh/task.h"
 
@@ -56,8 +57,8 @@ private:
         float cost[kWidth - 1];
         uint8_t references; // or kMany
         uint8_t height;
-        bool leaf; // as one root
-        uint8_t unused;
+        bool leaf;    // as one root
+        uint8_t bias; // so that // the last four bytes, read as a float, are not denormal
     };
     static_assert(sizeof(Entry) == 32);
     static constexpr uint32_t kMany = 255;
@@ -78,7 +79,7 @@ private:
     WideCosts costs_;
     float scale_;
     float inverse_area_;
-    base::Vector<Entry> entries_;
+    Buffer<Entry> entries_;
 };
 
 } // namespace peregrine::accel::bvh

@@ -13,7 +13,7 @@ inline constexpr float kOverlapOfNode = 0.1f;
 inline Effort effort_for(Quality quality) {
     Effort effort{.bins = 16,
                   .spatial_bins = 16,
-                  .clusters = false,
+                  .subtree = 1024,
                   .treelet = 16,
                   .binary_leaf = 2,
                   .reinsertions = 2,
@@ -21,8 +21,8 @@ inline Effort effort_for(Quality quality) {
                   .duplicates = 0.25,
                   .bytes = 67};
     if (quality == Quality::fast) {
-        effort.clusters = true;
-        effort.binary_leaf = 4;
+        effort.subtree = 16;
+        effort.binary_leaf = 1;
         effort.spatial_bins = effort.reinsertions = 0;
         effort.duplicates = 0;
     } else if (quality == Quality::best) {

@@ -19,12 +19,33 @@ struct Share {
     uint32_t first_block = 0;
 };
 
+// What leaves of the binary tree refer to: triangle_of(i) for all i in them says where at() and
+// number_of() find the triangle.
+struct ListedTriangles {
+    static constexpr bool kCut = true; // some may come more than once
+    const geometry::Triangle* triangles;
+    const Reference* references;
+
+    uint32_t triangle_of(uint32_t i) const { return references[i].triangle(); }
+    const geometry::Triangle& at(uint32_t triangle) const { return triangles[triangle]; }
+    uint32_t number_of(uint32_t triangle) const { return triangle; }
+};
+struct CopiedTriangles {
+    static constexpr bool kCut = false;
+    const Members& members;
+
+    uint32_t triangle_of(uint32_t i) const { return i; }
+    const geometry::Triangle& at(uint32_t triangle) const { return members.triangles[triangle]; }
+    uint32_t number_of(uint32_t triangle) const { return members.numbers[triangle]; }
+};
+
+template <class Source>
 class Emitter {
 public:
-    Emitter(const Task& task, const BinaryTree& binary, const Reference* references,
-            const WideTree& wide, Tree& tree)
-        : task_(task), binary_(binary.nodes), references_(references), wide_(wide), tree_(tree),
-          shares_(task.memory), triangles_(task.memory) {}
+    Emitter(const BinaryTree& binary, const Source& source, const WideTree& wide,
+            base::Memory* memory, Tree& tree)
+        : binary_(binary.nodes), source_(source), wide_(wide), tree_(tree), shares_(memory),
+          triangles_(memory) {}
 
     void run(base::Scheduler& scheduler) {
         const uint32_t tasks = uint32_t((wide_.nodes.size() + kNodesPerTask - 1) / kNodesPerTask);
@@ -71,24 +92,34 @@ private:
     }
 
     void write_boxes(const WideNode& wide, Node& node) const {
-        for (uint32_t i = 0; i < kWidth; ++i) {
-            const math::Box box =
-                i < wide.count ? binary_[wide.children[i]].bounds().box() : math::Box{};
-            for (int axis = 0; axis < 3; ++axis) {
-                node.lower[axis][i] = box.lower[axis];
-                node.upper[axis][i] = box.upper[axis];
-            }
-            node.child[i] = Link{0};
+        Bounds boxes[kWidth];
+        for (uint32_t i = 0; i < wide.count; ++i) boxes[i] = binary_[wide.children[i]].bounds();
+        for (uint32_t i = 0; i < kWidth; i += 4) {
+            const Bounds* const box = boxes + i;
+            write_axes(transpose(box[0].lower, box[1].lower, box[2].lower, box[3].lower), i,
+                       node.lower);
+            write_axes(transpose(box[0].upper, box[1].upper, box[2].upper, box[3].upper), i,
+                       node.upper);
         }
+        std::fill_n(node.child, kWidth, Link{0});
+    }
+    template <size_t width>
+    static void write_axes(const Axes& axes, uint32_t first, float (&to)[3][width]) {
+        store4(axes.x, to[0] + first);
+        store4(axes.y, to[1] + first);
+        store4(axes.z, to[2] + first);
     }
 
-    // Triangles of a leaf, in order and once each: several parts of one may have come together.
+    // Triangles of a leaf, once each: several parts of one may have come together.
     uint32_t gather(const WideNode& wide, uint32_t place) {
         uint32_t* first = triangles_.data() + (wide.targets[place] & ~Link::kLeaf);
         uint32_t* last = first;
         add_triangles(wide.children[place], last);
-        std::sort(first, last);
-        return uint32_t(std::unique(first, last) - first);
+        if constexpr (Source::kCut) {
+            std::sort(first, last);
+            last = std::unique(first, last);
+        }
+        return uint32_t(last - first);
     }
     void add_triangles(uint32_t binary, uint32_t*& last) const {
         const BinaryNode& node = binary_[binary];
@@ -97,8 +128,7 @@ private:
             add_triangles(node.second, last);
             return;
         }
-        for (uint32_t i = 0; i < node.count(); ++i)
-            *last++ = references_[node.first + i].triangle();
+        for (uint32_t i = 0; i < node.count(); ++i) *last++ = source_.triangle_of(node.first + i);
     }
 
     void write_blocks(uint32_t task) {
@@ -118,21 +148,20 @@ private:
     }
 
     void write_block(const uint32_t* triangles, uint32_t count, Block& block) const {
+        Floats corners[3][kBlockWidth];
         for (uint32_t lane = 0; lane < kBlockWidth; ++lane) {
-            const uint32_t index = triangles[std::min(lane, count - 1)];
-            const geometry::Triangle& triangle = task_.triangles[index];
-            for (int axis = 0; axis < 3; ++axis) {
-                block.vertex[0][axis][lane] = triangle.v0[axis];
-                block.vertex[1][axis][lane] = triangle.v1[axis];
-                block.vertex[2][axis][lane] = triangle.v2[axis];
-            }
-            block.triangle[lane] = index;
+            const uint32_t triangle = triangles[std::min(lane, count - 1)];
+            block.triangle[lane] = source_.number_of(triangle);
+            for (uint32_t i = 0; i < 3; ++i) corners[i][lane] = vertex_of(source_.at(triangle), i);
+        }
+        for (uint32_t i = 0; i < 3; ++i) {
+            const Floats* const corner = corners[i];
+            write_axes(transpose(corner[0], corner[1], corner[2], corner[3]), 0, block.vertex[i]);
         }
     }
 
-    const Task& task_;
     const base::Vector<BinaryNode>& binary_;
-    const Reference* references_;
+    Source source_;
     const WideTree& wide_;
     Tree& tree_;
     base::Vector<Share> shares_;
@@ -143,7 +172,13 @@ private:
 
 void emit(const Task& task, const BinaryTree& binary, const Reference* references,
           const WideTree& wide, base::Scheduler& scheduler, Tree& tree) {
-    Emitter(task, binary, references, wide, tree).run(scheduler);
+    Emitter(binary, ListedTriangles{task.triangles, references}, wide, task.memory, tree)
+        .run(scheduler);
+}
+
+void emit(const Task& task, const BinaryTree& binary, const Members& members, const WideTree& wide,
+          base::Scheduler& scheduler, Tree& tree) {
+    Emitter(binary, CopiedTriangles{members}, wide, task.memory, tree).run(scheduler);
 }
 
 } // namespace peregrine::accel::bvh

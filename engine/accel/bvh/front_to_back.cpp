@@ -1,43 +1,55 @@
 #include "accel/bvh/front_to_back.h"
 
+#include "accel/reference.h"
+
 namespace peregrine::accel::bvh {
 namespace {
 
-// The place of each child in the order, by counting those before it.
-void rank(const float* keys, uint32_t children, uint32_t* ranks) {
-    for (uint32_t i = 0; i < children; ++i) {
-        uint32_t before = 0;
-        for (uint32_t k = 0; k < i; ++k) before += keys[k] <= keys[i];
-        for (uint32_t k = i + 1; k < children; ++k) before += keys[k] < keys[i];
-        ranks[i] = before;
+static_assert(kWidth == 8);
+constexpr Ints kPlaces[2] = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+
+// How many children come before each one.
+void rank(const Floats* keys, Ints* ranks) {
+    ranks[0] = ranks[1] = Ints{};
+    for (int32_t i = 0; i < int32_t(kWidth); ++i) {
+        const float key = keys[i / 4][i % 4];
+        for (int half = 0; half < 2; ++half)
+            ranks[half] -= (key < keys[half]) | ((key == keys[half]) & (i < kPlaces[half]));
     }
+}
+
+// Each place goes to the three bits that its rank says: floats hold 24 bits, and make powers of
+// two.
+uint32_t pack(const Ints* ranks) {
+    Floats sum = {};
+    for (int half = 0; half < 2; ++half)
+        sum += __builtin_convertvector(kPlaces[half], Floats)
+               * std::bit_cast<Floats>((3 * ranks[half] + 127) << 23);
+    return uint32_t(sum[0] + sum[1] + sum[2] + sum[3]);
 }
 
 } // namespace
 
 void sort_front_to_back(Node& node, uint32_t children) {
-    float middle[3][kWidth];
-    for (uint32_t axis = 0; axis < 3; ++axis)
-        for (uint32_t i = 0; i < children; ++i)
-            middle[axis][i] = node.lower[axis][i] + node.upper[axis][i];
-    uint32_t empty = 0;
-    for (uint32_t i = children; i < kWidth; ++i) empty |= i << 3 * i;
+    constexpr float kMost = std::numeric_limits<float>::max();
+    const int32_t count = int32_t(children);
     for (uint32_t octant = 0; octant < 4; ++octant) {
         const float x = (octant & 1) != 0 ? -1.0f : 1.0f;
         const float y = (octant & 2) != 0 ? -1.0f : 1.0f;
-        float keys[kWidth];
-        for (uint32_t i = 0; i < children; ++i)
-            keys[i] = x * middle[0][i] + y * middle[1][i] + middle[2][i];
-        uint32_t ranks[kWidth];
-        rank(keys, children, ranks);
-        uint32_t order = empty;
-        uint32_t opposite = empty;
-        for (uint32_t i = 0; i < children; ++i) {
-            order |= i << 3 * ranks[i];
-            opposite |= i << 3 * (children - 1 - ranks[i]);
+        Floats keys[2];
+        for (int half = 0; half < 2; ++half) {
+            const auto middle = [&](int axis) {
+                return load4(node.lower[axis] + 4 * half) + load4(node.upper[axis] + 4 * half);
+            };
+            const Floats key = min(x * middle(0) + y * middle(1) + middle(2), Floats{} + kMost);
+            keys[half] = kPlaces[half] < count ? key : Floats{} + Bounds::kInfinity;
         }
-        node.order[octant] = order;
-        node.order[7 - octant] = opposite;
+        Ints ranks[2], opposite[2];
+        rank(keys, ranks);
+        for (int half = 0; half < 2; ++half)
+            opposite[half] = kPlaces[half] < count ? count - 1 - ranks[half] : ranks[half];
+        node.order[octant] = pack(ranks);
+        node.order[7 - octant] = pack(opposite);
     }
 }
 

@@ -73,9 +73,9 @@ void build_subtree(const Task& task, Arena& arena, const Range& range,
                    base::Vector<BinaryNode>& nodes) {
     if (range.size() <= task.effort.treelet && range.depth + range.size() <= task.depth_limit + 1)
         return build_treelet({arena.data() + range.begin, range.size()},
-                             {task.effort.binary_leaf, range.begin, task.members}, nodes);
+                             {task.effort.binary_leaf, range.begin}, nodes);
     const uint32_t node = add_node(nodes, range);
-    if (range.size() <= task.effort.binary_leaf && !task.members) return;
+    if (range.size() <= task.effort.binary_leaf) return;
     if (range.size() >= kReferencesToAsk && task.control.cancelled()) return;
     Range left, right;
     split_range(task, arena, range, left, right);

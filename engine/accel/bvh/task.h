@@ -13,14 +13,11 @@ inline constexpr uint64_t kMaxTriangles = uint64_t(1) << 27;
 // Three levels of binary nodes can always become one of wide nodes.
 inline constexpr uint32_t kMaxBinaryDepth = 3 * kMaxDepth;
 
-// Levels for clusters' own nodes.
-inline constexpr uint32_t kClusterDepth = 16;
-
 // How hard a build tries.
 struct Effort {
     uint32_t bins;         // of small nodes; larger ones have more
     uint32_t spatial_bins; // 0: no spatial splits
-    bool clusters;         // are what the tree is built over at first
+    uint32_t subtree;      // references, at least, that one thread goes on with
     uint32_t treelet;      // references; so few have every plane tried
     uint32_t binary_leaf;  // references; the collapse joins leaves where that is cheaper
     uint32_t reinsertions; // rounds
@@ -35,7 +32,6 @@ struct Task {
     Effort effort;
     Control& control;
     base::Memory* memory;
-    Reference* members = nullptr; // of clusters, if the arena has these
     uint32_t depth_limit = kMaxBinaryDepth;
     float root_scale = 0;
     float least_overlap = 0; // half area, scaled, from which on spatial splits are tried

@@ -9,7 +9,6 @@ namespace peregrine::accel::bvh {
 namespace {
 
 constexpr uint32_t kSubtreesWanted = 64;
-constexpr uint32_t kMinSubtreeSize = 1024;
 
 struct Item {
     uint32_t node;
@@ -21,8 +20,7 @@ struct Item {
 
 void build_top(const Task& task, Arena& arena, const Range& root, base::Scheduler& scheduler,
                base::Vector<BinaryNode>& nodes, base::Vector<Subtree>& subtrees) {
-    const uint32_t least = task.members ? kMinSubtreeSize / kClusterDepth : kMinSubtreeSize;
-    const uint32_t subtree_size = std::max(least, root.size() / kSubtreesWanted);
+    const uint32_t subtree_size = std::max(task.effort.subtree, root.size() / kSubtreesWanted);
     base::Vector<Item> level(task.memory);
     const auto add = [&](uint32_t node, const Range& range, base::Vector<Item>& to) {
         if (range.size() > subtree_size)

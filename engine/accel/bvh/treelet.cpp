@@ -27,7 +27,6 @@ public:
     void build() {
         const uint32_t count = uint32_t(references_.size());
         build_node(0, count);
-        if (leaves_.members) return;
         Reference sorted[kMaxTreelet];
         for (uint32_t i = 0; i < count; ++i) sorted[i] = references_[sorted_[0][i]];
         std::copy_n(sorted, count, references_.data());
@@ -55,14 +54,12 @@ private:
     }
 
     void build_node(uint32_t begin, uint32_t end) {
-        if (leaves_.members && end - begin == 1)
-            return build_cluster(references_[sorted_[0][begin]]);
         const uint32_t number = uint32_t(nodes_.size());
         BinaryNode& node = nodes_.emplace_back();
         Bounds bounds;
         for (uint32_t i = begin; i < end; ++i) bounds.extend(boxes_[sorted_[0][i]]);
         node.set_bounds(bounds);
-        if (!leaves_.members && end - begin <= leaves_.most) {
+        if (end - begin <= leaves_.most) {
             node.first = leaves_.first + begin;
             node.second = BinaryNode::kLeaf | (end - begin);
             return;
@@ -74,11 +71,6 @@ private:
         build_node(begin, begin + best.lefts);
         nodes_[number].second = uint32_t(nodes_.size());
         build_node(begin + best.lefts, end);
-    }
-
-    void build_cluster(const Reference& cluster) {
-        build_treelet({leaves_.members + cluster.triangle(), cluster.weight()},
-                      {leaves_.most, cluster.triangle(), nullptr}, nodes_);
     }
 
     float area(const Bounds& bounds) const {
