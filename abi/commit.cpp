@@ -55,6 +55,9 @@ scene::CommitOptions to_options(const rt_commit_desc* desc) {
     options.build.structure = to_structure(fields.structure);
     options.build.quality = accel::bvh::Quality(fields.quality);
     options.build.empty_bonus = fields.empty_bonus;
+    require_enum(fields.memory, RT_MEMORY_COMPACT, "rt_commit_desc.memory");
+    require_zero(fields.reserved, "rt_commit_desc.reserved");
+    options.build.compact = fields.memory == RT_MEMORY_COMPACT;
     options.progress = {fields.progress, fields.progress_user};
     return options;
 }
@@ -72,10 +75,13 @@ void report_tree(const accel::kdtree::Tree& tree, rt_commit_report& out) {
     out.build_ms = tree.report.build_ms;
 }
 
-void report_tree(const accel::bvh::Tree& tree, rt_commit_report& out) {
-    out.bytes_triangles = tree.blocks.size() * sizeof(accel::bvh::Block);
-    out.bytes_nodes = tree.nodes.size() * sizeof(accel::bvh::Node);
-    out.tree_nodes = tree.nodes.size();
+void report_tree(const accel::bvh::Tree& tree, const accel::bvh::CompactTree& compact,
+                 rt_commit_report& out) {
+    out.bytes_triangles = tree.blocks.size() * sizeof(accel::bvh::Block)
+                          + compact.leaves.size() * sizeof(accel::bvh::LeafUnit);
+    out.bytes_nodes = tree.nodes.size() * sizeof(accel::bvh::Node)
+                      + compact.nodes.size() * sizeof(accel::bvh::CompactNode);
+    out.tree_nodes = tree.nodes.size() + compact.nodes.size(); // one of the two is empty
     out.tree_leaves = tree.report.leaves;
     out.tree_references = tree.report.references;
     out.tree_max_depth = tree.report.max_depth;
@@ -103,7 +109,7 @@ void report_tree(const scene::Geometry& geometry, rt_commit_report& out) {
     case trace::Structure::bih:
         return report_tree(geometry.bih, out);
     default:
-        return report_tree(geometry.bvh, out);
+        return report_tree(geometry.bvh, geometry.compact_bvh, out);
     }
 }
 

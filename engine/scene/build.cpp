@@ -2,6 +2,7 @@
 
 #include "accel/bih/builder.h"
 #include "accel/bvh/builder.h"
+#include "accel/bvh/compact.h"
 #include "accel/kdtree/builder.h"
 
 namespace peregrine::scene {
@@ -9,12 +10,27 @@ namespace peregrine::scene {
 BuildChoice BuildChoice::relevant() const {
     BuildChoice choice;
     choice.structure = structure;
-    if (structure == trace::Structure::bvh) choice.quality = quality;
+    if (structure == trace::Structure::bvh) {
+        choice.quality = quality;
+        choice.compact = compact;
+    }
     if (structure == trace::Structure::bih && quality == accel::bvh::Quality::fast)
         choice.quality = quality;
     if (structure == trace::Structure::kdtree) choice.empty_bonus = empty_bonus;
     return choice;
 }
+
+namespace {
+
+// The nodes and blocks go, the report stays.
+void make_compact(base::Scheduler& scheduler, base::Memory* memory, Geometry& geometry) {
+    accel::bvh::Tree& full = geometry.bvh;
+    geometry.compact_bvh = accel::bvh::compact(full, scheduler, memory);
+    full.nodes = base::Vector<accel::bvh::Node>(memory);
+    full.blocks = base::Vector<accel::bvh::Block>(memory);
+}
+
+} // namespace
 
 void build_structure(const BuildChoice& choice, base::Scheduler& scheduler,
                      const base::Progress& progress, base::Memory* memory, Geometry& geometry) {
@@ -38,6 +54,7 @@ void build_structure(const BuildChoice& choice, base::Scheduler& scheduler,
         build.quality = choice.quality;
         geometry.bvh = accel::bvh::build(geometry.triangles, build, scheduler, progress, memory);
         geometry.triangles = base::Vector<geometry::Triangle>(memory); // it has its own copy
+        if (choice.compact) make_compact(scheduler, memory, geometry);
     }
 }
 

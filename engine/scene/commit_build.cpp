@@ -10,8 +10,8 @@ namespace peregrine::scene {
 namespace {
 
 // What deforms is built again after each change, a rigid mesh once.
-constexpr BuildChoice kDeformingBuild = {trace::Structure::bih, accel::bvh::Quality::fast, 0};
-constexpr BuildChoice kRigidBuild = {trace::Structure::bvh, accel::bvh::Quality::balanced, 0};
+constexpr BuildChoice kDeformingBuild = {trace::Structure::bih, accel::bvh::Quality::fast, 0,
+                                         false};
 
 constexpr uint64_t kFewTriangles = 4096; // not worth more than one thread
 
@@ -21,6 +21,10 @@ void check_count(uint64_t triangles, MeshKind kind) {
     if (triangles > kMostTriangles)
         base::fail(base::Code::limit, "%s %llu triangles; at most 2^27 are supported",
                    kNames[uint32_t(kind)], static_cast<unsigned long long>(triangles));
+}
+
+BuildChoice rigid_build(const BuildChoice& fixed) {
+    return {trace::Structure::bvh, accel::bvh::Quality::balanced, 0, fixed.compact};
 }
 
 bool is_fixed(const std::optional<MeshDescription>& mesh) {
@@ -49,9 +53,10 @@ Commit::Works Commit::find_works() {
         if (mesh.kind == MeshKind::deforming && mesh.hidden) continue;
         if (shape.awaited_by == number_) continue; // by another instance
         shape.awaited_by = number_;
-        works.push_back({mesh.kind, &shape, i,
-                         mesh.kind == MeshKind::rigid ? kRigidBuild : kDeformingBuild,
-                         mesh.data->triangles().size()});
+        works.push_back(
+            {mesh.kind, &shape, i,
+             mesh.kind == MeshKind::rigid ? rigid_build(options_.build) : kDeformingBuild,
+             mesh.data->triangles().size()});
     }
     return works;
 }

@@ -58,6 +58,7 @@ void Commit::count(const Geometry& shape, MeshKind kind, CommitReport& report) c
     if (kind == MeshKind::deforming) report.deforming_build_ms += shape.bih.report.build_ms;
     report.shape_bytes += bytes_of(shape.infos) + bytes_of(shape.triangles)
                           + bytes_of(shape.bvh.nodes) + bytes_of(shape.bvh.blocks)
+                          + bytes_of(shape.compact_bvh.nodes) + bytes_of(shape.compact_bvh.leaves)
                           + bytes_of(shape.bih.nodes) + bytes_of(shape.bih.references);
     report.degenerate_count += shape.degenerate_count;
     report.non_finite_count += shape.non_finite_count;

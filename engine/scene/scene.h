@@ -73,6 +73,7 @@ struct BuildChoice {
     trace::Structure structure = trace::Structure::bvh;
     accel::bvh::Quality quality = accel::bvh::Quality::balanced;
     float empty_bonus = 0; // of the kd-tree
+    bool compact = false;  // of the BVH
 
     // Without what the structure ignores: equal ones build the same.
     BuildChoice relevant() const;

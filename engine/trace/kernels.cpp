@@ -18,11 +18,12 @@ struct Tables {
 
 } // namespace
 
-const Kernels* select_kernels(Structure structure, base::Isa isa) {
+const Kernels* select_kernels(Structure structure, base::Isa isa, bool compact) {
     static const Tables bvh(bvh::make_kernels);
+    static const Tables compact_bvh(bvh::make_compact_kernels);
     static const Tables kdtree(kdtree::make_kernels);
     static const Tables bih(bih::make_kernels);
-    const Tables& tables = structure == Structure::bvh      ? bvh
+    const Tables& tables = structure == Structure::bvh      ? (compact ? compact_bvh : bvh)
                            : structure == Structure::kdtree ? kdtree
                                                             : bih;
     const auto index = uint32_t(isa);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/bih/tree.h"
+#include "accel/bvh/compact_tree.h"
 #include "accel/bvh/tree.h"
 #include "accel/kdtree/tree.h"
 #include "base/isa.h"
@@ -33,6 +34,12 @@ struct Target {
 
     const accel::bih::Node* bih_nodes = nullptr;
     const uint32_t* bih_references = nullptr;
+
+    // Instead of bvh_nodes and bvh_blocks, if there.
+    const accel::bvh::CompactNode* bvh_compact_nodes = nullptr;
+    const accel::bvh::LeafUnit* bvh_compact_leaves = nullptr;
+
+    bool is_compact() const { return bvh_compact_nodes != nullptr; }
 };
 
 // The closest hit of one ray.
@@ -113,7 +120,8 @@ struct Kernels {
     const ShapeKernels* plain_shapes = nullptr; // these heed Watch::counters
 };
 
-// The table for an instruction set; null if this machine lacks it. `best` never fails.
-const Kernels* select_kernels(Structure structure, base::Isa isa);
+// The table for an instruction set; null if this machine lacks it. `best` never fails. `compact`
+// says of a BVH which one the targets have.
+const Kernels* select_kernels(Structure structure, base::Isa isa, bool compact = false);
 
 } // namespace peregrine::trace

@@ -146,6 +146,8 @@ static void print_commit(void) {
     FIELD(rt_commit_desc, quality);
     FIELD(rt_commit_desc, progress);
     FIELD(rt_commit_desc, progress_user);
+    FIELD(rt_commit_desc, memory);
+    FIELD(rt_commit_desc, reserved);
     STRUCT(rt_commit_report);
     FIELD(rt_commit_report, struct_size);
     FIELD(rt_commit_report, left_out);

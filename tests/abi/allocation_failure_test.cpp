@@ -178,6 +178,16 @@ TEST_P(AllocationFailure, UpdateOfManyTrianglesAndCommit) {
     exhaust(call, 20, 1 << 20);
 }
 
+TEST_P(AllocationFailure, CompactCommit) {
+    exhaust(
+        [](const World& world) {
+            rt_commit_desc desc = rt_default_commit_desc();
+            desc.memory = RT_MEMORY_COMPACT;
+            return rt_commit_scene(world.scene, &desc, nullptr);
+        },
+        10);
+}
+
 TEST_P(AllocationFailure, CommitAfterAMove) {
     exhaust(
         [](const World& world) {

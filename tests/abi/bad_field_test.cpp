@@ -223,6 +223,12 @@ TEST_F(BadField, Commit) {
         desc.quality = value;
         refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.quality is ");
     }
+    for (const int32_t value : {-1, 2}) {
+        desc.memory = value;
+        refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.memory is ");
+    }
+    desc.reserved = 1;
+    refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.reserved is ");
     ASSERT_OK(move_lift(*world_, 3));
     desc.empty_bonus = 0.2f;
     desc.progress = [](void*, float) -> int32_t { return 1; };

@@ -201,6 +201,9 @@ TEST(Commit, RebuildsOnlyForOptionsThatTheStructureHeeds) {
         desc.quality = desc.quality == RT_BUILD_FAST ? RT_BUILD_BEST : RT_BUILD_FAST;
         EXPECT_EQ(rebuilds(), structure != RT_STRUCTURE_KDTREE);
         EXPECT_FALSE(rebuilds());
+        desc.memory = desc.memory == RT_MEMORY_FULL ? RT_MEMORY_COMPACT : RT_MEMORY_FULL;
+        EXPECT_EQ(rebuilds(), structure == RT_STRUCTURE_BVH);
+        EXPECT_FALSE(rebuilds());
     }
     desc.structure = RT_STRUCTURE_AUTO; // the BVH that there is
     EXPECT_FALSE(rebuilds());

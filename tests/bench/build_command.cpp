@@ -31,7 +31,8 @@ struct Built {
 // Camera rays, one at a time, by this thread.
 double trace_camera_rays(const scene::Geometry& geometry, const std::vector<math::Ray>& rays) {
     const trace::Target target = geometry.target();
-    const trace::Kernels& kernels = *trace::select_kernels(geometry.structure, base::Isa::best);
+    const trace::Kernels& kernels =
+        *trace::select_kernels(geometry.structure, base::Isa::best, target.is_compact());
     const double start = thread_seconds();
     for (const math::Ray& ray : rays) kernels.closest(target, ray, {});
     return 1e9 * (thread_seconds() - start) / double(rays.size());
@@ -44,7 +45,8 @@ uint64_t bytes_of(const base::Vector<T>& vector) {
 
 uint64_t bytes_of(const scene::Geometry& geometry) {
     return bytes_of(geometry.infos) + bytes_of(geometry.triangles) + bytes_of(geometry.bvh.nodes)
-           + bytes_of(geometry.bvh.blocks) + bytes_of(geometry.kdtree.nodes)
+           + bytes_of(geometry.bvh.blocks) + bytes_of(geometry.compact_bvh.nodes)
+           + bytes_of(geometry.compact_bvh.leaves) + bytes_of(geometry.kdtree.nodes)
            + bytes_of(geometry.kdtree.references) + bytes_of(geometry.bih.nodes)
            + bytes_of(geometry.bih.references);
 }
@@ -71,7 +73,7 @@ Built describe(const scene::Geometry& geometry) {
     default:
         return {0,
                 bytes_of(geometry),
-                bvh.nodes.size(),
+                bvh.nodes.size() + geometry.compact_bvh.nodes.size(),
                 bvh.report.references,
                 bvh.report.sah_cost,
                 bvh.report.max_depth,
@@ -103,6 +105,7 @@ scene::BuildChoice choice_of(const Options& options) {
                      : options.build == "best" ? accel::bvh::Quality::best
                                                : accel::bvh::Quality::balanced;
     choice.empty_bonus = options.empty_bonus;
+    choice.compact = options.compact;
     return choice;
 }
 
@@ -148,10 +151,12 @@ std::string run_build(const Options& options) {
             theirs.push_back(peer.seconds);
         }
         report(name, triangles.size(), options, rows, "peregrine", ours, built.bytes);
-        std::printf("%-16s %9s  %zu nodes, %zu references, SAH cost %.1f, %.0f ns a camera ray\n",
-                    "", "", built.nodes, built.references, built.sah_cost, median(ns_a_ray));
+        std::printf("%-16s %9s  %s%zu nodes, %zu references, SAH cost %.1f, %.0f ns a camera ray\n",
+                    "", "", options.compact ? "compact, " : "", built.nodes, built.references,
+                    built.sah_cost, median(ns_a_ray));
         rows.back()["structure"] = options.structure;
         rows.back()["build"] = options.build;
+        rows.back()["compact"] = options.compact;
         rows.back()["empty_bonus"] = options.empty_bonus;
         rows.back()["ns_per_camera_ray"] = median(ns_a_ray);
         rows.back()["nodes"] = built.nodes;

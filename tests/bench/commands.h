@@ -17,6 +17,7 @@ struct Options {
     std::vector<std::string> modes; // of ours; none: all
     std::string structure = "auto";
     std::string build = "balanced";
+    bool compact = false;
     std::string peer_build = "high";
     std::string isa = "best";
     float empty_bonus = 0;

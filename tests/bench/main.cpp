@@ -62,6 +62,7 @@ void add_structure_options(CLI::App& command, Options& options) {
     command.add_option("--build", options.build, "balanced, fast or best")
         ->capture_default_str()
         ->check(CLI::IsMember({"balanced", "fast", "best"}));
+    command.add_flag("--compact", options.compact, "The BVH in less memory");
 }
 
 void add_trace_options(CLI::App& trace, Options& options) {
@@ -81,10 +82,12 @@ void add_trace_options(CLI::App& trace, Options& options) {
                     "Our modes: single, batch, \"batch, hint\", arrays, frame; default: all")
         ->check(CLI::IsMember({"single", "batch", "batch, hint", "arrays", "frame"}));
     trace
-        .add_option("--peer", options.peers,
-                    "Peers: embree, embree-avx2 (kept from using AVX-512), embree-robust")
+        .add_option(
+            "--peer", options.peers,
+            "Peers: embree, embree-avx2 (kept from using AVX-512), embree-robust, full (ours "
+            "as it is by default)")
         ->delimiter(',')
-        ->check(CLI::IsMember({"embree", "embree-avx2", "embree-robust"}));
+        ->check(CLI::IsMember({"embree", "embree-avx2", "embree-robust", "full"}));
     trace.add_option("--size", options.size, "Width and height of the cameras' images")
         ->capture_default_str()
         ->check(CLI::Range(16, 4096));

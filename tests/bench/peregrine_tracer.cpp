@@ -26,6 +26,7 @@ rt_commit_desc to_commit(const TracerChoice& choice) {
     rt_commit_desc commit = rt_default_commit_desc();
     commit.structure = structures.at(choice.structure);
     commit.quality = qualities.at(choice.build);
+    commit.memory = choice.compact ? RT_MEMORY_COMPACT : RT_MEMORY_FULL;
     return commit;
 }
 
@@ -33,7 +34,7 @@ class PeregrineTracer : public Tracer {
 public:
     PeregrineTracer(const rt_api& api, std::span<const geometry::Triangle> triangles,
                     const TracerChoice& choice)
-        : api_(api) {
+        : api_(api), name_(choice.name) {
         rt_scene_desc desc = rt_default_scene_desc();
         desc.isa = to_isa(choice.isa);
         desc.worker_count = choice.threads;
@@ -50,7 +51,7 @@ public:
     PeregrineTracer(const PeregrineTracer&) = delete;
     PeregrineTracer& operator=(const PeregrineTracer&) = delete;
 
-    std::string name() const override { return "peregrine"; }
+    std::string name() const override { return name_; }
     size_t mode_count() const override { return door_modes().size(); }
     std::string mode_name(size_t mode) const override { return door_modes()[mode].name; }
     bool suits(size_t mode, const RaySet& set) const override {
@@ -103,6 +104,7 @@ private:
     }
 
     const rt_api& api_;
+    std::string name_;
     rt_scene scene_{};
 };
 

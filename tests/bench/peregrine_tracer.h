@@ -13,6 +13,8 @@ struct TracerChoice {
     std::string build = "balanced"; // balanced, fast, best
     std::string isa = "best";       // best, scalar, sse4, avx2, avx512
     uint32_t threads = 1;
+    bool compact = false;
+    std::string name = "peregrine";
 };
 
 // The engine through its header. Throws the engine's sentence where it cannot do what is chosen.

@@ -82,9 +82,9 @@ public:
         for (const Entrant& entrant : entrants_) {
             const Tracer& tracer = *entrant.contestant->tracer;
             rows.push_back({scene, set_.kind, tracer.name(), tracer.mode_name(entrant.mode),
-                            options_.threads, rate(entrant), rate(entrant) / best_peer,
-                            set_.rays.size(), entrant.mismatches, tracer.build_ms(),
-                            tracer.bytes_per_triangle()});
+                            options_.compact && !entrant.contestant->peer, options_.threads,
+                            rate(entrant), rate(entrant) / best_peer, set_.rays.size(),
+                            entrant.mismatches, tracer.build_ms(), tracer.bytes_per_triangle()});
         }
         return rows;
     }
@@ -143,12 +143,17 @@ void trace_scene(const Options& options, const rt_api& api, const TraceScene& sc
     const std::unique_ptr<Tracer> exact = make_peregrine_tracer(
         api, scene.triangles, {"kdtree", "balanced", "scalar", options.threads});
     std::vector<Contestant> contestants;
-    contestants.push_back(
-        {make_peregrine_tracer(api, scene.triangles,
-                               {options.structure, options.build, options.isa, options.threads}),
-         false});
+    contestants.push_back({make_peregrine_tracer(api, scene.triangles,
+                                                 {options.structure, options.build, options.isa,
+                                                  options.threads, options.compact}),
+                           false});
     for (const std::string& peer : options.peers)
-        contestants.push_back({make_embree_tracer(peer, scene.triangles, options.threads), true});
+        contestants.push_back(
+            {peer == "full" ? make_peregrine_tracer(
+                 api, scene.triangles,
+                 {.isa = options.isa, .threads = options.threads, .name = peer})
+                            : make_embree_tracer(peer, scene.triangles, options.threads),
+             true});
     report_progress(scene, "finding what the cameras see");
     const RayMaker maker(scene, *exact, options.size);
     print_builds(scene, contestants);

@@ -127,6 +127,7 @@ std::string to_json(const std::vector<TraceRow>& rows) {
                         {"rays", std::string(1, row.rays)},
                         {"contestant", row.contestant},
                         {"mode", row.mode},
+                        {"compact", row.compact},
                         {"threads", row.threads},
                         {"mrays_per_s", row.mrays_per_s},
                         {"ratio_to_best_peer", row.ratio_to_best_peer},

@@ -11,6 +11,7 @@ struct TraceRow {
     std::string scene;
     char rays;
     std::string contestant, mode;
+    bool compact;
     uint32_t threads;
     double mrays_per_s;
     double ratio_to_best_peer; // NaN without peers

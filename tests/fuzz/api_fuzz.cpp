@@ -287,6 +287,7 @@ private:
         desc.empty_bonus = random_.one_in(2) ? 0 : random_.unit();
         desc.structure = rt_structure(random_.below(5));
         desc.quality = rt_build_quality(random_.below(random_.one_in(9) ? 5 : 3));
+        desc.memory = rt_memory(random_.below(random_.one_in(9) ? 3 : 2));
         rt_commit_report report = rt_default_commit_report();
         if (random_.one_in(10)) desc.empty_bonus = random_.number();
         if (random_.one_in(20)) desc.struct_size = random_.below(24);

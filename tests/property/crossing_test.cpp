@@ -22,12 +22,15 @@ struct Build {
     const char* name;
     trace::Structure structure;
     accel::bvh::Quality quality = accel::bvh::Quality::balanced;
+    bool compact = false;
 };
-constexpr Build kBuilds[] = {{"bvh", trace::Structure::bvh},
-                             {"fast bvh", trace::Structure::bvh, accel::bvh::Quality::fast},
-                             {"best bvh", trace::Structure::bvh, accel::bvh::Quality::best},
-                             {"kdtree", trace::Structure::kdtree},
-                             {"bih", trace::Structure::bih}};
+constexpr Build kBuilds[] = {
+    {"bvh", trace::Structure::bvh},
+    {"fast bvh", trace::Structure::bvh, accel::bvh::Quality::fast},
+    {"best bvh", trace::Structure::bvh, accel::bvh::Quality::best},
+    {"compact bvh", trace::Structure::bvh, accel::bvh::Quality::best, true},
+    {"kdtree", trace::Structure::kdtree},
+    {"bih", trace::Structure::bih}};
 
 // What queries say of rays: as many hits a ray as there is room for, and how many there are.
 struct Answers {
@@ -63,7 +66,7 @@ void for_each_snapshot(Make&& make, Work&& work) {
         make(world);
         for (const Build& build : kBuilds) {
             world.scene.touch_triangles(MeshKind::fixed);
-            world.commit(build.structure, build.quality);
+            world.commit(build.structure, build.quality, build.compact);
             const scene::SnapshotStore::Pin pin(world.scene.snapshots);
             work(std::string(build.name) + ", isa " + std::to_string(int(isa)), world, *pin.get());
         }

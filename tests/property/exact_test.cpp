@@ -31,8 +31,10 @@ constexpr Named kIsas[] = {{base::Isa::scalar, "scalar"},
 struct NamedStructure {
     trace::Structure structure;
     const char* name;
+    bool compact = false;
 };
 constexpr NamedStructure kStructures[] = {{trace::Structure::bvh, "bvh"},
+                                          {trace::Structure::bvh, "compact", true},
                                           {trace::Structure::kdtree, "kdtree"},
                                           {trace::Structure::bih, "bih"}};
 
@@ -44,7 +46,7 @@ bool is_wanted(const NamedStructure& structure) {
 
 TEST(Structures, AreKnown) {
     EXPECT_TRUE(std::ranges::any_of(kStructures, is_wanted))
-        << "PEREGRINE_STRUCTURE must be bvh, kdtree or bih";
+        << "PEREGRINE_STRUCTURE must be bvh, compact, kdtree or bih";
 }
 
 struct NamedHint {
@@ -198,7 +200,8 @@ void compare_structure(const NamedStructure& structure, const trace::Target& tar
                        const trace::Filter& filter) {
     in_parallel(std::size(kIsas) * sets.size(), [&](size_t k) {
         const Named& isa = kIsas[k / sets.size()];
-        const auto* kernels = trace::select_kernels(structure.structure, isa.isa);
+        const auto* kernels =
+            trace::select_kernels(structure.structure, isa.isa, structure.compact);
         if (!kernels) return;
         const RaySet& set = sets[k % sets.size()];
         const Answers& answers = expected[k % sets.size()];
@@ -226,7 +229,7 @@ void compare_all(const World& world, const std::vector<RaySet>& sets,
     const std::vector<Answers> expected = ask_brute_force(world, sets, filter);
     for (const NamedStructure& structure : kStructures)
         if (is_wanted(structure))
-            compare_structure(structure, world.target(), sets, expected, filter);
+            compare_structure(structure, world.target(structure.compact), sets, expected, filter);
 }
 
 // The BVH's other build qualities.
@@ -358,13 +361,16 @@ TEST(Streams, OfAnyLength) {
         expected.occluded = part(answers.occluded);
         for (const NamedStructure& structure : kStructures)
             for (const Named& isa : kIsas) {
-                const auto* kernels = trace::select_kernels(structure.structure, isa.isa);
+                const auto* kernels =
+                    trace::select_kernels(structure.structure, isa.isa, structure.compact);
                 if (!kernels) continue;
                 const NamedHint& hint = kHints[random() % std::size(kHints)];
-                expect_same(expected, ask_streams(world.target(), rays, {}, *kernels, hint.hint),
-                            rays,
-                            std::to_string(first) + " + " + std::to_string(count) + ", "
-                                + structure.name + ", " + isa.name + ", " + hint.name);
+                expect_same(
+                    expected,
+                    ask_streams(world.target(structure.compact), rays, {}, *kernels, hint.hint),
+                    rays,
+                    std::to_string(first) + " + " + std::to_string(count) + ", " + structure.name
+                        + ", " + isa.name + ", " + hint.name);
             }
     }
 }

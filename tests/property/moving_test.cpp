@@ -169,9 +169,14 @@ protected:
         }
     }
 
-    void commit() { ASSERT_OK(rt_commit_scene(scene_, nullptr, nullptr)); }
+    void commit() {
+        rt_commit_desc desc = rt_default_commit_desc();
+        desc.memory = memory_;
+        ASSERT_OK(rt_commit_scene(scene_, &desc, nullptr));
+    }
 
     rt_scene scene_{};
+    rt_memory memory_ = RT_MEMORY_FULL;
     std::vector<Part> parts_;
     std::mt19937 random_{5};
 
@@ -229,6 +234,17 @@ TEST_P(MovingTest, EqualsBruteForce) {
         commit();
         compare(rays_per_set(300), step);
     }
+}
+
+TEST_P(MovingTest, CompactMeshesToo) {
+    memory_ = RT_MEMORY_COMPACT;
+    add(soup(uint32_t(random_()), 200, 0.3f), rt_add_static_mesh);
+    add(soup(uint32_t(random_()), 100, 0.3f), rt_add_rigid_mesh);
+    for (int i = 0; i < 3; ++i) add_instance(1);
+    for (Part& part : parts_)
+        if (part.rigid) place(part, 1.5);
+    commit();
+    compare(rays_per_set(150), 1);
 }
 
 // At equal t the smaller (mesh, triangle) wins, whatever structure holds it.

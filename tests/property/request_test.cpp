@@ -70,8 +70,14 @@ bool same(const Answers& a, const Answers& b) {
            && same(a.closest_surfaces, b.closest_surfaces) && same(a.all_surfaces, b.all_surfaces);
 }
 
+struct Build {
+    const char* name;
+    trace::Structure structure;
+    bool compact = false;
+};
+
 // Static, deforming and rigid meshes; the last have a material with holes.
-class RequestTest : public testing::TestWithParam<std::tuple<trace::Structure, base::Isa>> {
+class RequestTest : public testing::TestWithParam<std::tuple<Build, base::Isa>> {
 protected:
     void SetUp() override {
         if (!base::machine_has(std::get<1>(GetParam())))
@@ -86,7 +92,8 @@ protected:
         world.add(soup(4, 80, 0.5f), MeshKind::rigid, 8, holes);
         for (int i = 0; i < 4; ++i) world.add_instance(3);
         for (size_t i = 3; i < world.parts.size(); ++i) world.place(i, random_placement(random, 1));
-        world.commit(std::get<0>(GetParam()));
+        const Build& build = std::get<0>(GetParam());
+        world.commit(build.structure, accel::bvh::Quality::balanced, build.compact);
         pin_.emplace(world.scene.snapshots);
         const size_t rays = std::max<size_t>(25, rays_per_set(25)); // of each of eleven sets
         for (const RaySet& set : make_ray_sets(world.triangles(), {}, {}, rays, 5))
@@ -427,17 +434,18 @@ TEST_P(RequestTest, OriginsDecideWhatIsARay) {
     EXPECT_EQ(error_of([&] { answers.ask(snapshot(), moved, {}); }), "");
 }
 
-constexpr const char* kStructureNames[] = {"bvh", "kdtree", "bih"};
 constexpr const char* kIsaNames[] = {"best", "sse4", "avx2", "avx512", "scalar", "neon"};
 
 INSTANTIATE_TEST_SUITE_P(
     Kernels, RequestTest,
-    testing::Combine(testing::Values(trace::Structure::bvh, trace::Structure::kdtree,
-                                     trace::Structure::bih),
+    testing::Combine(testing::Values(Build{"bvh", trace::Structure::bvh},
+                                     Build{"compact", trace::Structure::bvh, true},
+                                     Build{"kdtree", trace::Structure::kdtree},
+                                     Build{"bih", trace::Structure::bih}),
                      testing::Values(base::Isa::scalar, base::Isa::sse4, base::Isa::avx2,
                                      base::Isa::avx512, base::Isa::neon)),
     [](const auto& info) {
-        return std::string(kStructureNames[uint32_t(std::get<0>(info.param))]) + "_"
+        return std::string(std::get<0>(info.param).name) + "_"
                + kIsaNames[uint32_t(std::get<1>(info.param))];
     });
 

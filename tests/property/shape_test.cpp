@@ -24,12 +24,16 @@ struct Way {
     base::Isa isa;
     trace::Structure structure;
     const char* name;
+    bool compact = false;
 };
 constexpr Way kWays[] = {{base::Isa::scalar, trace::Structure::bvh, "bvh, scalar"},
                          {base::Isa::sse4, trace::Structure::bvh, "bvh, sse4"},
                          {base::Isa::avx2, trace::Structure::bvh, "bvh, avx2"},
                          {base::Isa::avx512, trace::Structure::bvh, "bvh, avx512"},
                          {base::Isa::neon, trace::Structure::bvh, "bvh, neon"},
+                         {base::Isa::scalar, trace::Structure::bvh, "compact, scalar", true},
+                         {base::Isa::sse4, trace::Structure::bvh, "compact, sse4", true},
+                         {base::Isa::best, trace::Structure::bvh, "compact", true},
                          {base::Isa::best, trace::Structure::kdtree, "kdtree"},
                          {base::Isa::best, trace::Structure::bih, "bih"}};
 
@@ -197,7 +201,7 @@ void compare_all(const std::vector<MeshToAdd>& meshes, size_t count,
     std::vector<Expected> expected(choices.size());
     for (const Way& way : kWays) {
         if (!base::machine_has(way.isa)) continue;
-        ShapeWorld world(way.isa, way.structure);
+        ShapeWorld world(way.isa, way.structure, way.compact);
         for (const MeshToAdd& mesh : meshes)
             world.add(mesh.triangles, mesh.kind, mesh.layer_mask, mesh.to_world);
         world.commit();

@@ -10,9 +10,9 @@ namespace peregrine::test {
 using math::Vec3;
 using math::Vec3d;
 
-ShapeWorld::ShapeWorld(base::Isa isa, trace::Structure structure)
+ShapeWorld::ShapeWorld(base::Isa isa, trace::Structure structure, bool compact)
     : scene_(std::make_unique<scene::Scene>(scene::SceneOptions{{}, {}, 1, isa})),
-      structure_(structure) {}
+      structure_(structure), compact_(compact) {}
 
 void ShapeWorld::add(std::vector<geometry::Triangle> triangles, scene::MeshKind kind,
                      uint32_t layer_mask, const math::Affine& to_world) {
@@ -44,6 +44,7 @@ void ShapeWorld::commit() {
     pin_.reset();
     scene::CommitOptions options;
     options.build.structure = structure_;
+    options.build.compact = compact_;
     scene_->commit(options);
     pin_ = std::make_unique<scene::SnapshotStore::Pin>(scene_->snapshots);
 }

@@ -39,7 +39,7 @@ struct ShapeMesh {
 
 class ShapeWorld {
 public:
-    ShapeWorld(base::Isa isa, trace::Structure structure);
+    ShapeWorld(base::Isa isa, trace::Structure structure, bool compact = false);
 
     void add(std::vector<geometry::Triangle> triangles, scene::MeshKind kind,
              uint32_t layer_mask = ~0u, const math::Affine& to_world = {});
@@ -52,6 +52,7 @@ private:
     std::unique_ptr<scene::Scene> scene_;
     std::unique_ptr<scene::SnapshotStore::Pin> pin_;
     trace::Structure structure_;
+    bool compact_;
     std::vector<ShapeMesh> meshes_;
 };
 

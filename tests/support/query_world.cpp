@@ -69,10 +69,11 @@ void QueryWorld::place(size_t i, const math::Affine& to_world) {
     mesh.extent_is_known = false;
 }
 
-void QueryWorld::commit(trace::Structure structure, accel::bvh::Quality quality) {
+void QueryWorld::commit(trace::Structure structure, accel::bvh::Quality quality, bool compact) {
     scene::CommitOptions options;
     options.build.structure = structure;
     options.build.quality = quality;
+    options.build.compact = compact;
     scene.commit(options);
 }
 

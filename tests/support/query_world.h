@@ -39,7 +39,7 @@ public:
     size_t add_instance(size_t of);
     void place(size_t part, const math::Affine& to_world);
     void commit(trace::Structure structure = trace::Structure::bvh,
-                accel::bvh::Quality quality = accel::bvh::Quality::balanced);
+                accel::bvh::Quality quality = accel::bvh::Quality::balanced, bool compact = false);
 
     // The triangles as they stand in the world, for rays to aim at.
     std::vector<geometry::Triangle> triangles() const;

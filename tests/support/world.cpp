@@ -20,6 +20,7 @@ World::World(std::vector<geometry::Triangle> list, uint32_t threads) : triangles
     base::Scheduler scheduler(threads, {}, &memory);
     kdtree = accel::kdtree::build(triangles, {}, scheduler, {}, &memory);
     bvh = accel::bvh::build(triangles, {}, scheduler, {}, &memory);
+    compact_bvh = accel::bvh::compact(bvh, scheduler, &memory);
     bih = accel::bih::build(triangles, {}, scheduler, {}, &memory);
 }
 

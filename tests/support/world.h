@@ -2,6 +2,7 @@
 
 #include "accel/bih/builder.h"
 #include "accel/bvh/builder.h"
+#include "accel/bvh/compact.h"
 #include "accel/kdtree/builder.h"
 #include "base/memory.h"
 #include "base/scheduler.h"
@@ -19,16 +20,23 @@ namespace peregrine::test {
 struct World {
     explicit World(std::vector<geometry::Triangle> list, uint32_t threads = 2);
 
-    trace::Target target() const {
-        return {infos.data(),      kdtree.bounds,       bvh.nodes.data(),
-                bvh.blocks.data(), kdtree.nodes.data(), kdtree.references.data(),
-                triangles.data(),  bih.nodes.data(),    bih.references.data()};
+    // With the full BVH or the compact one.
+    trace::Target target(bool compact = false) const {
+        trace::Target target{infos.data(),      kdtree.bounds,       bvh.nodes.data(),
+                             bvh.blocks.data(), kdtree.nodes.data(), kdtree.references.data(),
+                             triangles.data(),  bih.nodes.data(),    bih.references.data()};
+        if (compact) {
+            target.bvh_compact_nodes = compact_bvh.nodes.data();
+            target.bvh_compact_leaves = compact_bvh.leaves.data();
+        }
+        return target;
     }
 
     base::HostMemory memory{{}};
     std::vector<geometry::Triangle> triangles; // ascending in (mesh, primitive)
     std::vector<geometry::TriangleInfo> infos;
     accel::bvh::Tree bvh{&memory};
+    accel::bvh::CompactTree compact_bvh{&memory};
     accel::kdtree::Tree kdtree{&memory};
     accel::bih::Tree bih{&memory};
 };

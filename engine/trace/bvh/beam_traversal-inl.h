@@ -11,6 +11,7 @@
 #include "trace/bvh/beam-inl.h"
 #include "trace/bvh/beam_children-inl.h"
 #include "trace/bvh/candidates-inl.h"
+#include "trace/bvh/decode-inl.h"
 #include "trace/bvh/facet-inl.h"
 #include "trace/bvh/tiny_leaf-inl.h"
 
@@ -32,11 +33,13 @@ struct BeamEntry {
 inline constexpr uint32_t kGaveUp = ~0u;
 
 template <class Kernel>
-HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link leaf,
+HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link link,
                                     uint32_t mask, const Window& window, float limit,
                                     Kernel& kernel) {
-    const uint32_t count = leaf.count();
-    const Block* block = target.bvh_blocks + leaf.first_block();
+    LeafRoom room;
+    const Leaf leaf = fetch_leaf(target, link, room);
+    const uint32_t count = leaf.count;
+    const Block* block = leaf.blocks;
     for (uint32_t first = 0; first < count; first += accel::bvh::kBlockWidth, ++block) {
         Facets facets;
         uint32_t lanes = facets.project(beam, *block, window, limit);
@@ -65,6 +68,7 @@ template <class Kernel>
 HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
     BeamEntry stack[accel::bvh::kStackSize];
     Window windows[accel::bvh::kStackSize]; // of those entries that are tiny
+    Node room;
     uint32_t depth = 0;
     uint32_t visited = 0;
     uint32_t tiny_left = kernel.most_tiny();
@@ -90,7 +94,7 @@ HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
             continue;
         }
         ++visited;
-        const Node& node = target.bvh_nodes[entry.link.node()];
+        const Node& node = fetch_node(target, entry.link.node(), room);
         BeamChildren children;
         children.find(beam, node, window, limit, Kernel::kTinySide);
         const uint32_t bottom = depth;

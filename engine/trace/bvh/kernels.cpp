@@ -8,8 +8,10 @@
 #include "trace/one_ray.h"
 
 namespace peregrine::trace::bvh {
-Kernels make_kernels(base::Isa isa) {
-    if (const Kernels* simd = simd_kernels(isa)) {
+namespace {
+
+Kernels make(base::Isa isa, bool compact) {
+    if (const Kernels* simd = simd_kernels(isa, compact)) {
         Kernels kernels = *simd;
         kernels.isa = isa;
         kernels.shapes = &shape_kernels(isa);
@@ -25,6 +27,15 @@ Kernels make_kernels(base::Isa isa) {
             isa,
             &shape_kernels(isa),
             &kPlainShapesOfBlocks};
+}
+
+} // namespace
+
+Kernels make_kernels(base::Isa isa) {
+    return make(isa, false);
+}
+Kernels make_compact_kernels(base::Isa isa) {
+    return make(isa, true);
 }
 
 } // namespace peregrine::trace::bvh

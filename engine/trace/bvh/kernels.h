@@ -5,5 +5,6 @@
 namespace peregrine::trace::bvh {
 
 Kernels make_kernels(base::Isa isa);
+Kernels make_compact_kernels(base::Isa isa);
 
 } // namespace peregrine::trace::bvh

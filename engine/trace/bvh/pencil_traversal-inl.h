@@ -8,6 +8,7 @@
 
 #include <hwy/highway.h>
 
+#include "trace/bvh/decode-inl.h"
 #include "trace/bvh/pencil-inl.h"
 #include "trace/bvh/plain.h"
 #include "trace/eight_rays-inl.h"
@@ -94,10 +95,12 @@ struct PencilEntry {
 };
 
 template <class Kernel>
-HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Pencil& pencil, Link leaf,
+HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Pencil& pencil, Link link,
                                     uint32_t bundles, Kernel& kernel) {
-    const uint32_t count = leaf.count();
-    const Block* block = target.bvh_blocks + leaf.first_block();
+    LeafRoom room;
+    const Leaf leaf = fetch_leaf(target, link, room);
+    const uint32_t count = leaf.count;
+    const Block* block = leaf.blocks;
     for (uint32_t first = 0; first < count; first += accel::bvh::kBlockWidth, ++block) {
         V4 lower[3], upper[3];
         for (int k = 0; k < 3; ++k) {
@@ -122,6 +125,7 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Pencil& pencil, 
 template <class Kernel>
 HWY_ATTR uint32_t visit_pencil(const Target& target, Pencil& pencil, Kernel& kernel) {
     PencilEntry stack[accel::bvh::kStackSize];
+    Node room;
     uint32_t depth = 0;
     uint32_t visited = 0;
     stack[depth++] = {Link::inner(0), pencil.bundles, 0};
@@ -134,7 +138,7 @@ HWY_ATTR uint32_t visit_pencil(const Target& target, Pencil& pencil, Kernel& ker
             continue;
         }
         ++visited;
-        const Node& node = target.bvh_nodes[entry.link.node()];
+        const Node& node = fetch_node(target, entry.link.node(), room);
         pencil.update_limit_of_all();
         uint32_t entered = 0;
         alignas(32) float x0[8], x1[8], y0[8], y1[8], z0[8], z1[8];

@@ -1,18 +1,14 @@
 #pragma once
 
-#include "accel/bvh/tree.h"
 #include "geometry/crossing.h"
 #include "geometry/intersect.h"
+#include "trace/bvh/decode.h"
 #include "trace/kernels.h"
 #include "trace/slabs.h"
 
 // One ray through the wide BVH in plain C++, in float or double: for machines without SIMD kernels,
 // and for rays whose numbers do not fit float.
 namespace peregrine::trace::bvh {
-
-using accel::bvh::Block;
-using accel::bvh::Link;
-using accel::bvh::Node;
 
 template <class Real>
 struct PlainEntry {
@@ -51,17 +47,21 @@ uint32_t visit_triangles(const Target& target, const Slabs<Real>& ray, Test&& te
     uint32_t visited = 0;
     uint32_t depth = 0;
     stack[depth++] = {Link::inner(0), ray.t_near};
+    Node node_room;
+    LeafRoom leaf_room;
     while (depth > 0) {
         const PlainEntry<Real> entry = stack[--depth];
         if (entry.t_near > t_limit) continue;
         if (!entry.link.is_leaf()) {
-            depth += enter(target.bvh_nodes[entry.link.node()], ray, t_limit, stack + depth);
+            const Node& node = plain_node(target, entry.link.node(), node_room);
+            depth += enter(node, ray, t_limit, stack + depth);
             ++visited;
             continue;
         }
-        const Block* block = target.bvh_blocks + entry.link.first_block();
-        for (uint32_t i = 0; i < entry.link.count(); ++i)
-            if (test(block[i / accel::bvh::kBlockWidth], i % accel::bvh::kBlockWidth, t_limit))
+        const Leaf leaf = plain_leaf(target, entry.link, leaf_room);
+        for (uint32_t i = 0; i < leaf.count; ++i)
+            if (test(leaf.blocks[i / accel::bvh::kBlockWidth], i % accel::bvh::kBlockWidth,
+                     t_limit))
                 return visited;
     }
     return visited;

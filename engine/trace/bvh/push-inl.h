@@ -7,12 +7,11 @@
 #define PEREGRINE_TRACE_BVH_PUSH_INL_H
 #endif
 
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
-#include "accel/bvh/tree.h"
 #include "math/box.h"
 #include "math/ray.h"
+#include "trace/bvh/views-inl.h"
 #include "trace/lanes-inl.h"
 
 #include <algorithm>
@@ -22,9 +21,6 @@ HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
 using namespace trace::HWY_NAMESPACE;
-
-using accel::bvh::Link;
-using accel::bvh::Node;
 
 // A ray's origin and direction, x, y, z and something else, and what they span;
 // each number of `reach` and `largest` is in all lanes.
@@ -94,63 +90,109 @@ struct NodeRay {
     }
 };
 
+// Where a ray enters and leaves the children of a node, beginning with child `first`.
+class Crossings {
+public:
+    HWY_INLINE HWY_ATTR Crossings(const NodeRay& ray, const Node& node)
+        : ray_(ray), planes_(&node.lower[0][0]) {}
+
+    HWY_INLINE HWY_ATTR V8 enter(uint32_t k, size_t first) const {
+        return hn::MulAdd(hn::Load(k8, planes_ + ray_.enter_plane[k] + first), ray_.inverse[k],
+                          ray_.enter[k]);
+    }
+    HWY_INLINE HWY_ATTR V8 leave(uint32_t k, size_t first) const {
+        return hn::MulAdd(hn::Load(k8, planes_ + ray_.leave_plane[k] + first), ray_.inverse[k],
+                          ray_.leave[k]);
+    }
+
+private:
+    const NodeRay& ray_;
+    const float* planes_;
+};
+
+// Of a compact node: the ray is taken into the node's frame, so that a plane waits for one
+// multiply-add, not two. With W <= 2 D the extent of the bounds, that adds e W / |d| for the
+// rounding of `step` and e D / |d| for that of `enter_` and `leave_`, when fused. What slabs.h
+// counts for an unfused product is left over: 12.5 - 1 + 3 = 14.5 e D / |d|, and planes up to W /
+// 255 outside the bounds make it 14.7 of the 16 that are taken. Where products are not fused,
+// decoded planes go the way of the full node's.
+class CompactCrossings {
+public:
+    HWY_INLINE HWY_ATTR CompactCrossings(const NodeRay& ray, const CompactNode& node)
+        : ray_(ray), planes_(&node.lower[0][0]) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            origin_[k] = hn::Set(k8, node.origin[k]);
+            scale_[k] = hn::Set(k8, node.scale[k]);
+            if (!kFused) continue;
+            enter_[k] = hn::MulAdd(origin_[k], ray.inverse[k], ray.enter[k]);
+            leave_[k] = hn::MulAdd(origin_[k], ray.inverse[k], ray.leave[k]);
+            scale_[k] = hn::Mul(scale_[k], ray.inverse[k]);
+        }
+    }
+
+    HWY_INLINE HWY_ATTR V8 enter(uint32_t k, size_t first) const {
+        const V8 steps = load_bytes(planes_ + ray_.enter_plane[k] + first);
+        if (kFused) return hn::MulAdd(steps, scale_[k], enter_[k]);
+        return hn::MulAdd(hn::MulAdd(steps, scale_[k], origin_[k]), ray_.inverse[k], ray_.enter[k]);
+    }
+    HWY_INLINE HWY_ATTR V8 leave(uint32_t k, size_t first) const {
+        const V8 steps = load_bytes(planes_ + ray_.leave_plane[k] + first);
+        if (kFused) return hn::MulAdd(steps, scale_[k], leave_[k]);
+        return hn::MulAdd(hn::MulAdd(steps, scale_[k], origin_[k]), ray_.inverse[k], ray_.leave[k]);
+    }
+
+private:
+    static constexpr bool kFused = HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3;
+
+    const NodeRay& ray_;
+    const uint8_t* planes_;
+    V8 origin_[3], scale_[3], enter_[3], leave_[3];
+};
+
 // The children of a node that the ray touches in its interval.
 struct Entered {
     V8 t_near[accel::bvh::kWidth / kLanes8];
     uint32_t children = 0; // bits
 
     HWY_INLINE HWY_ATTR Entered(const NodeRay& ray, const Node& node, V8 begin, V8 end) {
-        const float* planes = &node.lower[0][0];
+        find(Crossings(ray, node), begin, end);
+    }
+    HWY_INLINE HWY_ATTR Entered(const NodeRay& ray, const CompactNode& node, V8 begin, V8 end) {
+        find(CompactCrossings(ray, node), begin, end);
+        children &= node.there;
+    }
+
+private:
+    template <class Planes>
+    HWY_INLINE HWY_ATTR void find(const Planes& planes, V8 begin, V8 end) {
         for (size_t first = 0; first < accel::bvh::kWidth; first += kLanes8) {
-            const auto enter = [&](uint32_t k) HWY_ATTR {
-                return hn::MulAdd(hn::Load(k8, planes + ray.enter_plane[k] + first), ray.inverse[k],
-                                  ray.enter[k]);
-            };
-            const auto leave = [&](uint32_t k) HWY_ATTR {
-                return hn::MulAdd(hn::Load(k8, planes + ray.leave_plane[k] + first), ray.inverse[k],
-                                  ray.leave[k]);
-            };
-            const V8 near = hn::Max(hn::Max(enter(0), enter(1)), hn::Max(enter(2), begin));
-            const V8 far = hn::Min(hn::Min(leave(0), leave(1)), hn::Min(leave(2), end));
+            const V8 near = hn::Max(hn::Max(planes.enter(0, first), planes.enter(1, first)),
+                                    hn::Max(planes.enter(2, first), begin));
+            const V8 far = hn::Min(hn::Min(planes.leave(0, first), planes.leave(1, first)),
+                                   hn::Min(planes.leave(2, first), end));
             t_near[first / kLanes8] = near;
             children |= bits_of(k8, hn::Le(near, far)) << first;
         }
     }
 };
 
-// Which children are leaves: bits.
-HWY_INLINE HWY_ATTR uint32_t leaves_of(const Node& node) {
-    const hn::RebindToSigned<D8> i8;
-    static_assert(Link::kLeaf == 0x80000000u);
-    uint32_t bits = 0;
-    for (size_t first = 0; first < accel::bvh::kWidth; first += kLanes8) {
-        const auto link = hn::Load(i8, reinterpret_cast<const int32_t*>(&node.child[first]));
-        bits |= bits_of(i8, hn::Lt(link, hn::Zero(i8))) << first;
-    }
-    return bits;
-}
-
 // A child and where the ray enters it, in one number: of those with t >= 0 the
 // nearer is smaller. (The order is for speed alone; negative t may come in
 // any.)
 struct Entry {
-    static uint64_t of(const Node& node, const float* t_near, uint32_t child) {
+    template <class NodeType>
+    static uint64_t of(const NodeType& node, const float* t_near, uint32_t child) {
         return uint64_t(std::bit_cast<uint32_t>(t_near[child])) << 32 | node.child[child].bits;
     }
     static float t_near(uint64_t entry) { return std::bit_cast<float>(uint32_t(entry >> 32)); }
     static Link link(uint64_t entry) { return {uint32_t(entry)}; }
 };
 
-HWY_INLINE HWY_ATTR void fetch(const Node& node) {
-    for (size_t line = 0; line < sizeof(Node); line += 64)
-        hwy::Prefetch(reinterpret_cast<const char*>(&node) + line);
-}
-
 // Puts all but the nearest of the children on the stack, near ones last, and
 // returns the nearest. There is at least one. Most nodes have one or two: those
 // take no loop.
-template <class Children>
-HWY_INLINE HWY_ATTR Link push(const Node* nodes, const Node& node, const Children& entered,
+template <class View, class NodeType, class Children>
+HWY_INLINE HWY_ATTR Link push(const View& view, const NodeType& node, const Children& entered,
                               uint64_t*& top) {
     uint32_t children = entered.children;
     const auto next = [&]() HWY_ATTR {
@@ -162,7 +204,7 @@ HWY_INLINE HWY_ATTR Link push(const Node* nodes, const Node& node, const Childre
     if (children == 0) return node.child[first];
     const uint32_t second = next();
     for (const Link link : {node.child[first], node.child[second]})
-        if (!link.is_leaf()) fetch(nodes[link.node()]);
+        if (!link.is_leaf()) view.prefetch(link);
     alignas(32) float t_near[accel::bvh::kWidth];
     for (size_t i = 0; i < accel::bvh::kWidth / kLanes8; ++i)
         hn::Store(entered.t_near[i], k8, t_near + i * kLanes8);

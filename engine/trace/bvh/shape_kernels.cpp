@@ -26,11 +26,13 @@ inline bool fits_filters(const Volume& volume, double reach) {
 }
 
 // Calls visit(block, lanes) for each block of a leaf, `lanes` being those that hold a triangle
-// of it, until it returns true.
+// of it, until it returns true. Blocks may be gone afterwards.
 template <class Visit>
-HWY_INLINE HWY_ATTR bool visit_blocks(const Target& target, Link leaf, Visit&& visit) {
-    const Block* block = target.bvh_blocks + leaf.first_block();
-    for (uint32_t left = leaf.count();; ++block, left -= accel::bvh::kBlockWidth) {
+HWY_INLINE HWY_ATTR bool visit_blocks(const Target& target, Link link, Visit&& visit) {
+    LeafRoom room;
+    const Leaf leaf = fetch_leaf(target, link, room);
+    const Block* block = leaf.blocks;
+    for (uint32_t left = leaf.count;; ++block, left -= accel::bvh::kBlockWidth) {
         if (visit(*block, left < accel::bvh::kBlockWidth ? (1u << left) - 1 : 15u)) return true;
         if (left <= accel::bvh::kBlockWidth) return false;
     }
@@ -48,10 +50,10 @@ public:
         const uint32_t triangle = block.triangle[lane];
         for (uint32_t i = 0; i < count_; ++i)
             if (entries_[i].triangle == triangle) return; // from another leaf
-        entries_[count_++] = {&block, lane, triangle, best};
+        entries_[count_++] = {vertices_of(block, lane), triangle, best};
     }
 
-    // Those first that promise most. `judge(block, lane)` may lower the limit.
+    // Those first that promise most. `judge(vertices, triangle)` may lower the limit.
     template <class Judge>
     void settle(const float& limit, Judge&& judge) {
         while (count_ > 0) {
@@ -60,7 +62,7 @@ public:
                 if (entries_[i].best < entries_[first].best) first = i;
             const Entry entry = entries_[first];
             entries_[first] = entries_[--count_];
-            if (!(entry.best > limit)) judge(*entry.block, entry.lane);
+            if (!(entry.best > limit)) judge(entry.vertices, entry.triangle);
         }
     }
 
@@ -73,8 +75,8 @@ public:
 
 private:
     struct Entry {
-        const Block* block;
-        uint32_t lane, triangle;
+        Vertices vertices;
+        uint32_t triangle;
         float best;
     };
     uint32_t count_ = 0;
@@ -124,9 +126,9 @@ HWY_ATTR void sweep_shape(const Target& target, const Place& place, const Volume
     Candidates candidates;
     Mailbox mailbox;
     float t_max = best.limit(query.t_max);
-    const auto decide = [&](const Block& block, uint32_t lane) HWY_ATTR {
+    const auto decide = [&](const Vertices& vertices, uint32_t triangle) HWY_ATTR {
         const float depth = best.depth;
-        judge(query, place, vertices_of(block, lane), target.infos, block.triangle[lane], best);
+        judge(query, place, vertices, target.infos, triangle, best);
         t_max = std::min(t_max, best.t);
         if (!(best.depth > depth) || place.to_world) return;
         // What is to be found now is as deep: a thinner shape at the start finds it.
@@ -148,13 +150,15 @@ HWY_ATTR void sweep_shape(const Target& target, const Place& place, const Volume
                 if (candidates.is_full()) candidates.settle(t_max, decide);
                 candidates.add(block, lane, found.earliest[lane]);
             } else if (mailbox.takes(block.triangle[lane])) {
-                decide(block, lane); // behind an initial contact there is nothing to look for
+                decide(
+                    vertices_of(block, lane),
+                    block.triangle[lane]); // behind an initial contact there is nothing to look for
             }
         }
         return false;
     };
     visit_reached(
-        target.bvh_nodes, gate, t_max, [&](Link leaf) HWY_ATTR __attribute__((always_inline)) {
+        target, gate, t_max, [&](Link leaf) HWY_ATTR __attribute__((always_inline)) {
             return visit_blocks(target, leaf, look);
         });
     candidates.settle(t_max, decide);
@@ -210,7 +214,7 @@ HWY_INLINE HWY_ATTR void visit_ball(const Target& target, const Volume& volume, 
         return false;
     };
     visit_reached(
-        target.bvh_nodes, gate, limit, [&](Link leaf) HWY_ATTR __attribute__((always_inline)) {
+        target, gate, limit, [&](Link leaf) HWY_ATTR __attribute__((always_inline)) {
             return visit_blocks(target, leaf, look);
         });
 }
@@ -229,7 +233,7 @@ HWY_INLINE HWY_ATTR void visit_box(const Target& target, const Volume& volume, d
         return false;
     };
     visit_reached(
-        target.bvh_nodes, gate, no_limit, [&](Link leaf) HWY_ATTR __attribute__((always_inline)) {
+        target, gate, no_limit, [&](Link leaf) HWY_ATTR __attribute__((always_inline)) {
             return visit_blocks(target, leaf, look);
         });
 }
@@ -294,8 +298,8 @@ HWY_ATTR void nearest_triangle(const Target& target, const Place& place, const V
         return ball.outside(float(std::min(radius, 4 * reach)) * (1 + 0x1p-20f));
     };
     float limit = outside(best.limit(query.radius));
-    const auto decide = [&](const Block& block, uint32_t lane) {
-        judge(query, place, vertices_of(block, lane), target.infos, block.triangle[lane], best);
+    const auto decide = [&](const Vertices& vertices, uint32_t triangle) {
+        judge(query, place, vertices, target.infos, triangle, best);
         limit = std::min(limit, outside(best.distance));
     };
     Candidates candidates;
@@ -318,7 +322,7 @@ HWY_ATTR void nearest_triangle(const Target& target, const Place& place, const V
         return false;
     };
     visit_reached(
-        target.bvh_nodes, gate, limit, [&](Link leaf) HWY_ATTR __attribute__((always_inline)) {
+        target, gate, limit, [&](Link leaf) HWY_ATTR __attribute__((always_inline)) {
             return visit_blocks(target, leaf, look);
         });
     candidates.settle(limit, decide);

@@ -119,19 +119,20 @@ struct BoxGate {
 
 // Goes through the nodes that the gate lets through up to `limit`, roughly from near to far.
 // `leaf(link)` may lower the limit, and returns true to stop.
-template <class Gate, class Leaf>
-HWY_INLINE HWY_ATTR void visit_reached(const Node* nodes, const Gate& gate, const float& limit,
-                                       Leaf&& leaf) {
+template <class Gate, class Visit>
+HWY_INLINE HWY_ATTR void visit_reached(const Target& target, const Gate& gate, const float& limit,
+                                       Visit&& leaf) {
+    EitherView view(target);
     uint64_t stack[accel::bvh::kStackSize];
     uint64_t* top = stack;
     Link link = Link::inner(0);
     for (;;) {
         if (!link.is_leaf()) {
-            const Node& node = nodes[link.node()];
+            const Node& node = view.node(link);
             hwy::Prefetch(node.child);
             const Reached reached = gate.reached(node, limit);
             if (reached.children) {
-                link = push(nodes, node, reached, top);
+                link = push(view, node, reached, top);
                 continue;
             }
         } else if (leaf(link)) {

@@ -19,16 +19,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
+template <class View>
 HWY_ATTR Hit closest_hit(const Target& target, const math::Ray& ray, const Filter& filter) {
     if (target.bounds.empty()) return miss(0);
-    return filter.trivial() ? closest<false>(target, ray, filter)
-                            : closest<true>(target, ray, filter);
+    return filter.trivial() ? closest<View, false>(target, ray, filter)
+                            : closest<View, true>(target, ray, filter);
 }
 
+template <class View>
 HWY_ATTR bool is_occluded(const Target& target, const math::Ray& ray, const Filter& filter) {
     if (target.bounds.empty()) return false;
-    return filter.trivial() ? occluded<false>(target, ray, filter)
-                            : occluded<true>(target, ray, filter);
+    return filter.trivial() ? occluded<View, false>(target, ray, filter)
+                            : occluded<View, true>(target, ray, filter);
 }
 
 inline RayStream part_of(const RayStream& rays, uint32_t first, uint32_t count) {
@@ -98,8 +100,13 @@ HWY_ATTR void are_occluded(const Target& target, const RayStream& rays, const Fi
                          : occluded_stream<true>(target, rays, filter, result);
 }
 
-[[maybe_unused]] constexpr Kernels kKernels = {closest_hit,  is_occluded, closest_hits,
-                                               are_occluded, visit,       base::Isa::best};
+template <class View>
+constexpr Kernels make_table() {
+    return {closest_hit<View>, is_occluded<View>, closest_hits,
+            are_occluded,      visit<View>,       base::Isa::best};
+}
+[[maybe_unused]] constexpr Kernels kKernels = make_table<FullView>();
+[[maybe_unused]] constexpr Kernels kCompactKernels = make_table<CompactView>();
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -110,8 +117,8 @@ HWY_AFTER_NAMESPACE();
 
 namespace peregrine::trace::bvh {
 
-const Kernels* simd_kernels(base::Isa isa) {
-    return PEREGRINE_TABLE_FOR(isa, kKernels);
+const Kernels* simd_kernels(base::Isa isa, bool compact) {
+    return compact ? PEREGRINE_TABLE_FOR(isa, kCompactKernels) : PEREGRINE_TABLE_FOR(isa, kKernels);
 }
 
 } // namespace peregrine::trace::bvh

@@ -23,9 +23,9 @@ using namespace trace::HWY_NAMESPACE;
 
 // Goes through the nodes that the ray may touch up to t_max, roughly from near
 // to far. `leaf(link)` may lower t_max. Returns the number of nodes visited.
-template <class Leaf>
-HWY_INLINE HWY_ATTR uint32_t visit_from_near(const Node* nodes, const NodeRay& ray, float t_min,
-                                             const float& t_max, Leaf&& leaf) {
+template <class View, class Visit>
+HWY_INLINE HWY_ATTR uint32_t visit_from_near(const View& view, const NodeRay& ray, float t_min,
+                                             const float& t_max, Visit&& leaf) {
     uint64_t stack[accel::bvh::kStackSize];
     uint64_t* top = stack;
     uint32_t visited = 0;
@@ -33,12 +33,12 @@ HWY_INLINE HWY_ATTR uint32_t visit_from_near(const Node* nodes, const NodeRay& r
     const V8 begin = hn::Set(k8, t_min);
     for (;;) {
         if (!link.is_leaf()) {
-            const Node& node = nodes[link.node()];
+            const auto& node = view.node(link);
             hwy::Prefetch(node.child);
             const Entered entered(ray, node, begin, hn::Set(k8, t_max));
             ++visited;
             if (entered.children) {
-                link = push(nodes, node, entered, top);
+                link = push(view, node, entered, top);
                 continue;
             }
         } else {
@@ -54,16 +54,17 @@ HWY_INLINE HWY_ATTR uint32_t visit_from_near(const Node* nodes, const NodeRay& r
 
 // Goes through the nodes that the ray touches, in any order, leaves as soon as
 // they are met. `leaf(link)` returns true to stop; so does this.
-template <class Leaf>
-HWY_INLINE HWY_ATTR bool visit_any(const Node* nodes, const NodeRay& ray, float t_min, float t_max,
-                                   Leaf&& leaf) {
+template <class View, class Visit>
+HWY_INLINE HWY_ATTR bool visit_any(const View& view, const NodeRay& ray, float t_min, float t_max,
+                                   Visit&& leaf) {
+    using NodeType = typename View::NodeType;
     struct Level {
-        const Node* node;
+        const NodeType* node;
         uint32_t children; // still to visit
     };
     Level stack[accel::bvh::kMaxDepth];
     Level* top = stack;
-    const Node* node = nodes;
+    const NodeType* node = &view.node(Link::inner(0));
     const V8 begin = hn::Set(k8, t_min), end = hn::Set(k8, t_max);
     for (;;) {
         uint32_t children = Entered(ray, *node, begin, end).children;
@@ -80,14 +81,14 @@ HWY_INLINE HWY_ATTR bool visit_any(const Node* nodes, const NodeRay& ray, float 
         const uint32_t child = uint32_t(std::countr_zero(children));
         *top = {node, children & (children - 1)};
         if (top->children) {
-            fetch(nodes[node->child[std::countr_zero(top->children)].node()]);
+            view.prefetch(node->child[std::countr_zero(top->children)]);
             ++top;
         }
-        node = nodes + node->child[child].node();
+        node = &view.node(node->child[child]);
     }
 }
 
-template <bool Filtered>
+template <class View, bool Filtered>
 HWY_ATTR Hit closest(const Target& target, const math::Ray& ray, const Filter& filter) {
     const RayLanes lanes(target.bounds, ray);
     if (!fits_float(hn::GetLane(lanes.largest), hn::GetLane(lanes.reach))) [[unlikely]]
@@ -96,11 +97,13 @@ HWY_ATTR Hit closest(const Target& target, const math::Ray& ray, const Filter& f
     const BlockRay block_ray(lanes, ray);
     float t_max = block_ray.t_max;
     Hit best = miss(0);
+    const View view(target);
+    LeafRoom room;
     const uint32_t steps = visit_from_near(
-        target.bvh_nodes, node_ray, ray.t_min,
-        t_max, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
-            const Block* block = target.bvh_blocks + link.first_block();
-            const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
+        view, node_ray, ray.t_min, t_max, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
+            const Leaf leaf = view.leaf(link, room);
+            const Block* block = leaf.blocks;
+            const Block* last = block + (leaf.count - 1) / accel::bvh::kBlockWidth;
             for (; block <= last; ++block) {
                 BlockHits hits;
                 if (!intersect(block_ray, *block, t_max, hits)) continue;
@@ -121,18 +124,21 @@ HWY_ATTR Hit closest(const Target& target, const math::Ray& ray, const Filter& f
     return best;
 }
 
-template <bool Filtered>
+template <class View, bool Filtered>
 HWY_ATTR bool occluded(const Target& target, const math::Ray& ray, const Filter& filter) {
     const RayLanes lanes(target.bounds, ray);
     if (!fits_float(hn::GetLane(lanes.largest), hn::GetLane(lanes.reach))) [[unlikely]]
         return occluded_in_double<Filtered>(target, ray, filter);
     const NodeRay node_ray(lanes);
     const BlockRay block_ray(lanes, ray);
+    const View view(target);
+    LeafRoom room;
     return visit_any(
-        target.bvh_nodes, node_ray, ray.t_min,
+        view, node_ray, ray.t_min,
         block_ray.t_max, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
-            const Block* block = target.bvh_blocks + link.first_block();
-            const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
+            const Leaf leaf = view.leaf(link, room);
+            const Block* block = leaf.blocks;
+            const Block* last = block + (leaf.count - 1) / accel::bvh::kBlockWidth;
             for (; block <= last; ++block) {
                 if (!Filtered) {
                     if (intersects(block_ray, *block)) return true;
@@ -151,7 +157,8 @@ HWY_ATTR bool occluded(const Target& target, const math::Ray& ray, const Filter&
         });
 }
 
-HWY_ATTR inline void visit(const Target& target, const math::Ray& ray, Visitor& visitor) {
+template <class View>
+HWY_ATTR void visit(const Target& target, const math::Ray& ray, Visitor& visitor) {
     if (target.bounds.empty()) return;
     const RayLanes lanes(target.bounds, ray);
     if (!fits_float(hn::GetLane(lanes.largest), hn::GetLane(lanes.reach))) [[unlikely]]
@@ -160,17 +167,19 @@ HWY_ATTR inline void visit(const Target& target, const math::Ray& ray, Visitor& 
     const BlockRay block_ray(lanes, ray);
     const geometry::ShearedRay sheared = geometry::shear(ray);
     float t_max = block_ray.t_max;
+    const View view(target);
+    LeafRoom room;
     visitor.counters.nodes += visit_from_near(
-        target.bvh_nodes, node_ray, ray.t_min,
-        t_max, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
+        view, node_ray, ray.t_min, t_max, [&](Link link) HWY_ATTR __attribute__((always_inline)) {
             constexpr uint32_t kWidth = accel::bvh::kBlockWidth;
-            visitor.counters.triangles += link.count();
-            const Block* block = target.bvh_blocks + link.first_block();
-            for (uint32_t first = 0; first < link.count(); first += kWidth, ++block) {
+            const Leaf leaf = view.leaf(link, room);
+            visitor.counters.triangles += leaf.count;
+            const Block* block = leaf.blocks;
+            for (uint32_t first = 0; first < leaf.count; first += kWidth, ++block) {
                 BlockHits hits;
                 if (!intersect(block_ray, *block, t_max, hits)) continue;
                 // Without what repeats the last triangle.
-                const uint32_t filled = (1u << std::min(link.count() - first, kWidth)) - 1;
+                const uint32_t filled = (1u << std::min(leaf.count - first, kWidth)) - 1;
                 for (uint32_t hit = hits.lanes & filled; hit; hit &= hit - 1) {
                     const uint32_t i = uint32_t(std::countr_zero(hit));
                     if (hits.t[i] > t_max || !is_wanted(visitor, sheared, *block, i)) continue;

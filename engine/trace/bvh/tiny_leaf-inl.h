@@ -11,6 +11,7 @@
 
 #include "accel/bvh/tree.h"
 #include "trace/bvh/beam-inl.h"
+#include "trace/bvh/decode-inl.h"
 #include "trace/canonical-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -63,7 +64,7 @@ struct NearBlock {
 };
 
 template <class Kernel>
-HWY_INLINE HWY_ATTR void visit_tiny_leaf(const Target& target, Beam& beam, Link leaf,
+HWY_INLINE HWY_ATTR void visit_tiny_leaf(const Target& target, Beam& beam, Link link,
                                          uint32_t groups, float z, const Window& window,
                                          Kernel& kernel) {
     uint32_t found = 0;
@@ -74,8 +75,10 @@ HWY_INLINE HWY_ATTR void visit_tiny_leaf(const Target& target, Beam& beam, Link 
         found |= rays[group] ? 1u << group : 0;
     }
     if (found == 0) return;
-    const uint32_t count = leaf.count();
-    const Block* block = target.bvh_blocks + leaf.first_block();
+    LeafRoom room;
+    const Leaf leaf = fetch_leaf(target, link, room);
+    const uint32_t count = leaf.count;
+    const Block* block = leaf.blocks;
     for (uint32_t first = 0; first < count; first += accel::bvh::kBlockWidth, ++block) {
         const NearBlock near(beam, *block);
         const uint32_t there = count - first < 4 ? (1u << (count - first)) - 1 : 15u;

@@ -47,7 +47,9 @@ inline constexpr Compress kCompress = make_compress();
 template <bool Any, bool Filtered>
 class Wave {
 public:
-    HWY_ATTR Wave(const Target& target, const Filter& filter) : target_(target), filter_(filter) {}
+    HWY_ATTR Wave(const Target& target, const Filter& filter)
+        : target_(target), filter_(filter),
+          blocks_(target.is_compact() ? decoded_ : target.bvh_blocks) {}
 
     // `irregular(ray)` answers a ray that is not for floats; `hit(ray, ...)` is told of each better
     // hit; `done(ray, steps)` comes last.
@@ -60,7 +62,7 @@ public:
         for (uint32_t octant = 0; octant < 8; ++octant) {
             if (octant_count_[octant] == 0) continue;
             WaveRoot root;
-            const Node& entry = root.make(target_.bvh_nodes, swept, octant);
+            const Node& entry = root.make(target_, swept, octant);
             for (uint32_t i = 0; i < octant_count_[octant]; i += kWaveRays)
                 run(entry, octant, octant_[octant] + i,
                     std::min(kWaveRays, octant_count_[octant] - i), hit);
@@ -79,6 +81,8 @@ private:
         uint32_t block, ray;
     };
     static constexpr uint32_t kTests = 2 * kWaveRays;
+    static constexpr uint32_t kLeafBlocks = accel::bvh::kMaxLeaf / accel::bvh::kBlockWidth;
+    static constexpr uint32_t kDecoded = 4 * kLeafBlocks;
     // A list is written in whole vectors, and read in vectors of sixteen.
     static constexpr uint32_t kListSize = kWaveRays + 16;
     static constexpr uint32_t kEntries = accel::bvh::kStackSize + accel::bvh::kWidth;
@@ -112,7 +116,10 @@ private:
                 meet(link, lists_ + entry.begin, entry.count, on_hit);
             } else {
                 if (test_count_ > 0) settle(on_hit);
-                depth = enter(target_.bvh_nodes[link.node()], octant, entry, depth, on_hit);
+                const Node& node = fetch_node(target_, link.node(), node_);
+                if (!Any && octant >= 4 && target_.is_compact())
+                    node_.order[octant] = accel::bvh::reversed_order(node_.order[7 - octant]);
+                depth = enter(node, octant, entry, depth, on_hit);
             }
         }
         settle(on_hit);
@@ -240,8 +247,9 @@ private:
     // The places in `ids_` that `leaf_` lists.
     template <class OnHit>
     HWY_INLINE HWY_ATTR void occlude(Link link, uint32_t count, OnHit&& on_hit) {
-        const Block* block = target_.bvh_blocks + link.first_block();
-        const Block* last = block + (link.count() - 1) / accel::bvh::kBlockWidth;
+        const Leaf leaf = fetch_leaf(target_, link, decoded_);
+        const Block* block = leaf.blocks;
+        const Block* last = block + (leaf.count - 1) / accel::bvh::kBlockWidth;
         leaf_[count] = leaf_[count - 1];
         for (; block <= last; ++block)
             for (uint32_t i = 0; i < count; i += 2) {
@@ -269,11 +277,16 @@ private:
         entered_[at] = hit ? 0 : entered_[at];
     }
 
-    // Leaves in a row share the decisions: what the float filter lets through waits in `tests_`.
+    // Leaves in a row share the decisions: what the float filter lets through waits in `tests_`,
+    // and their blocks, if decoded, in `decoded_`.
     template <class OnHit>
     HWY_INLINE HWY_ATTR void meet(Link link, const Id* ids, uint32_t count, OnHit&& on_hit) {
-        const uint32_t first = link.first_block();
-        const uint32_t last = first + (link.count() - 1) / accel::bvh::kBlockWidth;
+        if (decoded_count_ > kDecoded - kLeafBlocks) settle(on_hit);
+        if (test_count_ == 0) decoded_count_ = 0;
+        const Leaf leaf = fetch_leaf(target_, link, decoded_ + decoded_count_);
+        const auto first = uint32_t(leaf.blocks - blocks_);
+        const uint32_t last = first + (leaf.count - 1) / accel::bvh::kBlockWidth;
+        decoded_count_ += target_.is_compact() ? last - first + 1 : 0;
         for (uint32_t block = first; block <= last; ++block) {
             if (test_count_ + count > kTests) settle(on_hit);
             filter_rays(block, ids, count);
@@ -281,7 +294,7 @@ private:
     }
 
     HWY_INLINE HWY_ATTR void filter_rays(uint32_t index, const Id* ids, uint32_t count) {
-        const Block& block = target_.bvh_blocks[index];
+        const Block& block = blocks_[index];
         uint32_t tests = test_count_;
         const auto waits = [&](const WaveRay& ray, uint32_t maybe) HWY_ATTR {
             return uint32_t(maybe != 0) & uint32_t(!Any || ray.t_limit >= ray.t_near);
@@ -300,8 +313,8 @@ private:
 
     template <Details details>
     HWY_INLINE HWY_ATTR void decide(const WaveRay& ray, uint32_t block, BlockHits& hits) const {
-        decide_block<details>(relative_to(ray, target_.bvh_blocks[block]),
-                              hn::Set(kD, double(ray.dz)), ray.t_min, ray.t_max, hits);
+        decide_block<details>(relative_to(ray, blocks_[block]), hn::Set(kD, double(ray.dz)),
+                              ray.t_min, ray.t_max, hits);
     }
 
     template <class OnHit>
@@ -316,7 +329,7 @@ private:
             found += hits.lanes != 0;
         }
         for (uint32_t i = 0; i < found; ++i)
-            accept(ray_[tests_[i].ray], target_.bvh_blocks[tests_[i].block], found_[i], on_hit);
+            accept(ray_[tests_[i].ray], blocks_[tests_[i].block], found_[i], on_hit);
         test_count_ = 0;
     }
 
@@ -346,14 +359,25 @@ private:
     }
 
     HWY_INLINE HWY_ATTR void prefetch(Link link) const {
-        const char* p = link.is_leaf()
-                            ? reinterpret_cast<const char*>(target_.bvh_blocks + link.first_block())
-                            : reinterpret_cast<const char*>(target_.bvh_nodes + link.node());
-        for (int line = 0; line < 4; ++line) _mm_prefetch(p + 64 * line, _MM_HINT_T0);
+        if (target_.is_compact()) {
+            // Of a leaf the record and some of the pool before it.
+            if (link.is_leaf())
+                prefetch_lines(&accel::bvh::record_at(target_.bvh_compact_leaves, link) - 32, 4);
+            else
+                prefetch_lines(target_.bvh_compact_nodes + link.node(), 2);
+        } else if (link.is_leaf()) {
+            prefetch_lines(target_.bvh_blocks + link.first_block(), 4);
+        } else {
+            prefetch_lines(target_.bvh_nodes + link.node(), 4);
+        }
     }
 
     const Target& target_;
     const Filter& filter_;
+    const Block* const blocks_; // what `tests_` count in
+    Node node_;                 // decoded
+    uint32_t decoded_count_ = 0;
+    Block decoded_[kDecoded];
     uint32_t octant_count_[8];
     Id octant_[8][kWaveStream + 16];
     alignas(32) Id ids_[kListSize];

@@ -68,14 +68,18 @@ template <bool Filtered>
 HWY_ATTR void closest_wave(const Target& target, const RayStream& rays, const Filter& filter,
                            const HitStream& hits) {
     for (uint32_t i = 0; i < rays.count; ++i)
-        hits.store(i, closest<Filtered>(target, ray_at(rays, i), filter));
+        hits.store(i, target.is_compact()
+                          ? closest<CompactView, Filtered>(target, ray_at(rays, i), filter)
+                          : closest<FullView, Filtered>(target, ray_at(rays, i), filter));
 }
 
 template <bool Filtered>
 HWY_ATTR void occluded_wave(const Target& target, const RayStream& rays, const Filter& filter,
                             uint8_t* result) {
     for (uint32_t i = 0; i < rays.count; ++i)
-        result[i] = occluded<Filtered>(target, ray_at(rays, i), filter);
+        result[i] = target.is_compact()
+                        ? occluded<CompactView, Filtered>(target, ray_at(rays, i), filter)
+                        : occluded<FullView, Filtered>(target, ray_at(rays, i), filter);
 }
 #endif
 

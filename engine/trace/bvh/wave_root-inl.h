@@ -24,15 +24,16 @@ using namespace trace::HWY_NAMESPACE;
 class WaveRoot {
 public:
     // For rays of `octant` among those of `swept`.
-    HWY_ATTR const Node& make(const Node* nodes, const Swept& swept, uint32_t octant) {
+    HWY_ATTR const Node& make(const Target& target, const Swept& swept, uint32_t octant) {
         for (uint32_t k = 0; k < 3; ++k) {
             lower_[k] = hn::Set(k8, swept.lower(k, octant));
             upper_[k] = hn::Set(k8, swept.upper(k, octant));
         }
         count_ = 0;
-        take(nodes[0], reached(nodes[0]));
+        const Node& top = fetch_node(target, 0, room_);
+        take(top, reached(top));
         while (const Place* place = largest()) {
-            const Node& node = nodes[place->node->child[place->child].node()];
+            const Node& node = fetch_node(target, place->link.node(), room_);
             const uint32_t children = reached(node);
             const uint32_t index = uint32_t(place - places_);
             if (count_ - 1 + uint32_t(std::popcount(children)) > accel::bvh::kWidth) {
@@ -49,8 +50,8 @@ public:
 private:
     static constexpr float kClosed = -1; // leaves, and what does not fit
     struct Place {
-        const Node* node;
-        uint32_t child;
+        float lower[3], upper[3];
+        Link link;
         float area;
     };
 
@@ -66,12 +67,17 @@ private:
     HWY_INLINE HWY_ATTR void take(const Node& node, uint32_t children) {
         for (; children; children &= children - 1) {
             const uint32_t child = uint32_t(std::countr_zero(children));
+            Place& place = places_[count_++];
             float size[3];
-            for (uint32_t k = 0; k < 3; ++k) size[k] = node.upper[k][child] - node.lower[k][child];
-            places_[count_++] = {&node, child,
-                                 node.child[child].is_leaf()
-                                     ? kClosed
-                                     : size[0] * size[1] + size[1] * size[2] + size[2] * size[0]};
+            for (uint32_t k = 0; k < 3; ++k) {
+                place.lower[k] = node.lower[k][child];
+                place.upper[k] = node.upper[k][child];
+                size[k] = place.upper[k] - place.lower[k];
+            }
+            place.link = node.child[child];
+            place.area = place.link.is_leaf()
+                             ? kClosed
+                             : size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
         }
     }
 
@@ -85,13 +91,12 @@ private:
     // In the order from front to back.
     HWY_INLINE HWY_ATTR void write(uint32_t octant) {
         float along[accel::bvh::kWidth];
-        Place sorted[accel::bvh::kWidth];
+        const Place* sorted[accel::bvh::kWidth];
         for (uint32_t i = 0; i < count_; ++i) {
-            const Place place = places_[i];
+            const Place& place = places_[i];
             float key = 0;
             for (uint32_t k = 0; k < 3; ++k) {
-                const float middle =
-                    place.node->lower[k][place.child] + place.node->upper[k][place.child];
+                const float middle = place.lower[k] + place.upper[k];
                 key += octant >> k & 1 ? -middle : middle;
             }
             uint32_t at = i;
@@ -100,17 +105,15 @@ private:
                 sorted[at] = sorted[at - 1];
             }
             along[at] = key;
-            sorted[at] = place;
+            sorted[at] = &place;
         }
         constexpr float kInfinity = std::numeric_limits<float>::infinity();
         for (uint32_t i = 0; i < accel::bvh::kWidth; ++i) {
             for (uint32_t k = 0; k < 3; ++k) {
-                root_.lower[k][i] =
-                    i < count_ ? sorted[i].node->lower[k][sorted[i].child] : kInfinity;
-                root_.upper[k][i] =
-                    i < count_ ? sorted[i].node->upper[k][sorted[i].child] : -kInfinity;
+                root_.lower[k][i] = i < count_ ? sorted[i]->lower[k] : kInfinity;
+                root_.upper[k][i] = i < count_ ? sorted[i]->upper[k] : -kInfinity;
             }
-            root_.child[i] = i < count_ ? sorted[i].node->child[sorted[i].child] : Link{0};
+            root_.child[i] = i < count_ ? sorted[i]->link : Link{0};
         }
         root_.order[octant] = 0xFAC688; // 7 6 5 4 3 2 1 0
     }
@@ -118,6 +121,7 @@ private:
     V8 lower_[3], upper_[3];
     Place places_[2 * accel::bvh::kWidth];
     uint32_t count_;
+    Node room_;
     Node root_;
 };
 
