@@ -2,6 +2,8 @@
 
 #include "accel/bvh/tree.h"
 
+#include <cstddef>
+
 // The wide BVH in fewer bytes, for what it costs to decode. Boxes are bytes in a frame of their
 // node's own (Ylitie, Karras, Laine 2017); the leaves of a node share their vertices, which keep
 // all their bits (cf. Benthin, Wald, Woop, Afra 2018).
@@ -35,7 +37,7 @@ static_assert(reversed_order(0xFAC688) == 0x053977);
 
 // Memory of leaves is counted in these.
 struct alignas(8) LeafUnit {
-    uint32_t word[2];
+    std::byte bytes[8];
 };
 
 // Four triangles: for each corner and lane the place of the vertex in the pool. What the last

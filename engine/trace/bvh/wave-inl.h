@@ -361,8 +361,9 @@ private:
     HWY_INLINE HWY_ATTR void prefetch(Link link) const {
         if (target_.is_compact()) {
             // Of a leaf the record and some of the pool before it.
+            const uint32_t unit = link.bits & ~Link::kLeaf;
             if (link.is_leaf())
-                prefetch_lines(&accel::bvh::record_at(target_.bvh_compact_leaves, link) - 32, 4);
+                prefetch_lines(target_.bvh_compact_leaves + (unit > 16 ? unit - 16 : 0), 4);
             else
                 prefetch_lines(target_.bvh_compact_nodes + link.node(), 2);
         } else if (link.is_leaf()) {
