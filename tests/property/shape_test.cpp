@@ -31,7 +31,6 @@ constexpr Way kWays[] = {{base::Isa::scalar, trace::Structure::bvh, "bvh, scalar
                          {base::Isa::avx2, trace::Structure::bvh, "bvh, avx2"},
                          {base::Isa::avx512, trace::Structure::bvh, "bvh, avx512"},
                          {base::Isa::neon, trace::Structure::bvh, "bvh, neon"},
-                         {base::Isa::scalar, trace::Structure::bvh, "compact, scalar", true},
                          {base::Isa::sse4, trace::Structure::bvh, "compact, sse4", true},
                          {base::Isa::best, trace::Structure::bvh, "compact", true},
                          {base::Isa::best, trace::Structure::kdtree, "kdtree"},
