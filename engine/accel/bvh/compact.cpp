@@ -103,6 +103,7 @@ private:
         size_t pool_of[kWidth];
         Pool pool;
         const auto close = [&] {
+            if (pool.units() == 0) return;
             const size_t begin = units.size();
             units.resize(begin + pool.units());
             pool.write(units.data() + begin);
