@@ -62,6 +62,8 @@ public:
         }
     }
 
+    bool is_empty() const { return entrants_.empty(); }
+
     // All that are left in turns, so that what else the machine does meets all of them.
     void hold_passes() {
         for (uint32_t pass = 0; pass < options_.passes; ++pass)
@@ -166,6 +168,10 @@ void trace_scene(const Options& options, const rt_api& api, const TraceScene& sc
         Race race(options, runner, contestants, set);
         report_progress(scene, (kind + ", every mode once").c_str());
         race.hold_trials(exact_answers(*exact, set));
+        if (race.is_empty()) {
+            std::printf("%-4c takes none of these modes\n", set.kind);
+            continue;
+        }
         report_progress(scene, (kind + ", in turns").c_str());
         race.hold_passes();
         for (const TraceRow& row : race.rows(scene.name)) {

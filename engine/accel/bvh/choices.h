@@ -58,7 +58,7 @@ private:
         uint8_t references; // or kMany
         uint8_t height;
         bool leaf;    // as one root
-        uint8_t bias; // so that // the last four bytes, read as a float, are not denormal
+        uint8_t bias; // so that the last four bytes, read as a float, are not denormal
     };
     static_assert(sizeof(Entry) == 32);
     static constexpr uint32_t kMany = 255;

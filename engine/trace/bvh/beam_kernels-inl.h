@@ -129,8 +129,7 @@ public:
                           const Filter& filter)
         : target_(target), beam_(beam), rays_(rays), filter_(filter), planes_(beam) {}
 
-    // Where rays hit triangles smaller than what lies between them, a wave is faster, if there are
-    // any.
+    // Where triangles are smaller than what lies between rays, a wave is faster.
     uint32_t most_tiny() const { return kWaves ? beam_.count / 3 : ~0u; }
 
     // False: these rays had better not be a beam, and nothing is known of them.
