@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 namespace peregrine::test {
@@ -224,6 +225,34 @@ TEST(SweepGeometry, SpheresOfAllScales) {
 TEST(SweepGeometry, CapsulesOfAllScales) {
     for (const float scale : {1.0f, 1e-4f, 1e6f})
         sweep_cases(scale, true, rays_per_set(1000) / 20 + 1, uint32_t(scale * 5));
+}
+
+// A limit takes contacts away, and changes none.
+TEST(SweepGeometry, LimitsChangeNoContact) {
+    Cases cases(6);
+    const auto words = [](const geometry::Contact& contact) {
+        return std::array{contact.t,        contact.point.x,  contact.point.y, contact.point.z,
+                          contact.normal.x, contact.normal.y, contact.normal.z};
+    };
+    size_t contacts = 0;
+    for (size_t i = 0; i < rays_per_set(1000); ++i) {
+        const Case c = cases.make(1, i % 2 == 0);
+        const geometry::Sweep sweep(c.center, c.axis, c.direction, c.radius);
+        geometry::Contact free{}, limited{};
+        const bool hit = geometry::sweep_triangle(sweep, corners_of(c), free);
+        contacts += hit;
+        const double at = hit ? free.t : 1;
+        for (const double limit : {at * 0.5, at, std::nextafter(at, 1e300), at * 1.5, 1e300}) {
+            const bool found = geometry::sweep_triangle(sweep, corners_of(c), limited, limit);
+            if (hit && free.t < limit) {
+                ASSERT_TRUE(found) << limit << words_of(c);
+                ASSERT_EQ(words(free), words(limited)) << limit << words_of(c);
+            } else if (found) {
+                ASSERT_TRUE(hit && limited.t == free.t) << limit << words_of(c);
+            }
+        }
+    }
+    EXPECT_GT(contacts, 0u);
 }
 
 TEST(OverlapGeometry, NearestPoints) {

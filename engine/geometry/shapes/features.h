@@ -178,6 +178,18 @@ struct FirstContact {
     Vec3d at{0};     // on the set
     Vec3d normal{0}; // towards the centre, of any length; 0: the centre is on the set
     double core = 0;
+    bool is_one = false;
+
+    FirstContact() = default;
+    FirstContact(double t_, const Vec3d& at_, const Vec3d& normal_, double core_)
+        : t(t_), at(at_), normal(normal_), core(core_), is_one(true) {}
+
+    // From now on, what comes later does not count.
+    void limit_to(double limit) {
+        if (t < limit) return;
+        t = limit;
+        is_one = false;
+    }
 
     void meet(const Motion& motion, const Face& face) {
         if (!face.solid) return;
@@ -202,16 +214,17 @@ struct FirstContact {
 
     // With the vertices at its ends: a cylinder that is entered beyond them is none.
     void meet(const Motion& motion, const Edge& edge) {
-        meet(motion, edge, Across(motion, edge.along));
+        const Across seen(motion, edge.along);
+        meet(motion, edge, seen, glm::dot(edge.start, seen.across));
     }
-    void meet(const Motion& motion, const Edge& edge, const Across& seen) {
+    // `apart`: the distance of the two lines, times the length of `across`.
+    void meet(const Motion& motion, const Edge& edge, const Across& seen, double apart) {
         const auto& [across, cc] = seen;
         if (!(cc > kSine * kSine * (motion.dd * edge.ee))) {
             meet(motion, edge.start, edge.core);
             meet(motion, edge.start + edge.along, edge.core + edge.step);
             return;
         }
-        const double apart = glm::dot(edge.start, across); // of the two lines, times sqrt(cc)
         if (apart * apart > motion.rr * cc) return;
         const double closest = glm::dot(glm::cross(edge.start, edge.along), across) / cc;
         const double room = std::max(0.0, motion.rr - apart * apart / cc);

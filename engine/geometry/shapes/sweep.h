@@ -2,6 +2,7 @@
 
 #include "geometry/shapes/features.h"
 #include "geometry/shapes/overlap.h"
+#include "geometry/shapes/prism.h"
 
 // THE test of a moving sphere or capsule against a triangle. Every traversal gives the bits of this
 // file.
@@ -45,36 +46,15 @@ inline Vec3d normal_of_plane(const Face& face, double rate) {
 }
 
 // A face that is met from outside is the first contact with a convex set.
-inline FirstContact meet_triangle(const Motion& motion, const Corners& corners, const Face& face) {
+inline FirstContact meet_triangle(const Motion& motion, const Corners& corners, const Face& face,
+                                  double limit) {
     FirstContact first;
     first.meet(motion, face);
-    if (first.t < std::numeric_limits<double>::infinity()) return first;
+    if (first.is_one) return first;
+    first.limit_to(limit);
     first.meet(motion, Edge(corners.a, face.side0));
     first.meet(motion, Edge(corners.b, corners.c - corners.b));
     first.meet(motion, Edge(corners.a, face.side1));
-    return first;
-}
-
-inline FirstContact meet_prism(const Motion& motion, const Corners& corners, const Face& face,
-                               double rate, const Vec3d& axis) {
-    FirstContact first;
-    const double rise = glm::dot(face.normal, axis);
-    const double outer = (rate > 0) == (rise > 0) ? -1 : 1;
-    first.meet(motion, face.moved(outer * axis, outer));
-    if (first.t < std::numeric_limits<double>::infinity()) return first;
-    first.meet(motion, face.moved(-outer * axis, -outer));
-    for_each_side(corners, axis, [&](const Face& side) { first.meet(motion, side); });
-    for (const Edge& edge : {Edge(corners.a, face.side0), Edge(corners.b, corners.c - corners.b),
-                             Edge(corners.a, face.side1)}) {
-        const Across across(motion, edge.along);
-        for (const double core : {-1.0, 1.0})
-            first.meet(motion, edge.moved(core * axis, core), across);
-    }
-    const Edge lateral(corners.a - axis, 2.0 * axis, -1, 2);
-    const Across across(motion, lateral.along);
-    first.meet(motion, lateral, across);
-    first.meet(motion, lateral.moved(face.side0, -1), across);
-    first.meet(motion, lateral.moved(face.side1, -1), across);
     return first;
 }
 
@@ -91,8 +71,9 @@ inline bool is_far(const Sweep& sweep, const Corners& corners) {
 
 } // namespace sweep_detail
 
-// False if they never touch; t has no limit.
-inline bool sweep_triangle(const Sweep& sweep, const Corners& corners, Contact& contact) {
+// False if they do not touch; contacts from `limit` on may be missing, or not.
+inline bool sweep_triangle(const Sweep& sweep, const Corners& corners, Contact& contact,
+                           double limit = std::numeric_limits<double>::infinity()) {
     using namespace sweep_detail;
     const Motion& motion = sweep.motion;
     const Face face = face_of(corners);
@@ -106,14 +87,12 @@ inline bool sweep_triangle(const Sweep& sweep, const Corners& corners, Contact& 
     if (!is_beside && !is_far(sweep, corners))
         nearest = sweep.is_capsule ? nearest_to_segment(corners, face, sweep.axis)
                                    : nearest_to_origin(corners, face);
-    FirstContact first;
     const bool initial = nearest.square <= motion.rr;
-    if (initial)
-        first = {0, nearest.at, -nearest.at, nearest.core};
-    else
-        first = sweep.is_capsule ? meet_prism(motion, corners, face, rate, sweep.axis)
-                                 : meet_triangle(motion, corners, face);
-    if (!(first.t < std::numeric_limits<double>::infinity())) return false;
+    const FirstContact first = initial ? FirstContact(0, nearest.at, -nearest.at, nearest.core)
+                               : sweep.is_capsule
+                                   ? meet_prism(motion, corners, face, rate, sweep.axis, limit)
+                                   : meet_triangle(motion, corners, face, limit);
+    if (!first.is_one) return false;
     contact.t = first.t;
     contact.point = first.at - first.core * sweep.axis;
     contact.normal = unit_or_zero(first.normal);

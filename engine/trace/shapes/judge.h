@@ -37,7 +37,9 @@ inline void judge(const SweepQuery& query, const Place& place, const Vertices& v
                   const geometry::TriangleInfo* infos, uint32_t index, FirstHit& best) {
     FirstHit hit;
     geometry::Contact& contact = hit.contact;
-    if (!geometry::sweep_triangle(query.sweep, vertices.around(place, query.sweep.center), contact))
+    const double limit = double(best.limit(query.t_max)) * (1 + 0x1p-22) + 0x1p-148;
+    if (!geometry::sweep_triangle(query.sweep, vertices.around(place, query.sweep.center), contact,
+                                  limit))
         return;
     hit.t = float(contact.t);
     hit.initial = contact.initial;
