@@ -98,6 +98,21 @@ struct Face {
         return at >= first - more && at <= last + more;
     }
 
+    // The core at a point that the face holds. Where the sides of a parallelogram are almost
+    // parallel, rounding puts a point far beyond one and as far before the other: then it gets a
+    // place on both that is as near.
+    double core_at(const Vec3d& p) const {
+        if (step == 0) return core;
+        const auto [x, y] = place(p);
+        if (x >= 0 && x <= nn && y >= 0 && y <= nn) return core + step * (y / nn);
+        const Vec3d w = p - corner;
+        const auto part = [](const Vec3d& v, const Vec3d& side) {
+            return std::clamp(glm::dot(v, side) / glm::dot(side, side), 0.0, 1.0);
+        };
+        const double first = part(w - std::clamp(y / nn, 0.0, 1.0) * side1, side0);
+        return core + step * part(w - first * side0, side1);
+    }
+
     // What leads from the plane to corner + w.
     Vec3d foot(const Vec3d& w) const { return normal * (glm::dot(normal, w) / nn); }
 
@@ -135,9 +150,7 @@ struct Nearest {
         const double depth = glm::dot(face.normal, face.corner);
         const double d = depth * depth / face.nn;
         if (d < square) {
-            const Face::Place place = face.place(Vec3d(0));
-            *this = {d, face.normal * (depth / face.nn),
-                     face.core + face.step * (place.y / face.nn)};
+            *this = {d, face.normal * (depth / face.nn), face.core_at(Vec3d(0))};
         }
     }
 
@@ -208,8 +221,7 @@ struct FirstContact {
         const double slack =
             0x1p-50 * (size_of(p) + longest) * (length * (size_of(motion.direction) / speed));
         if (!face.holds(p, slack)) return;
-        *this = {when, p - face.foot(p - face.corner), outward,
-                 face.core + face.step * (face.place(p).y / face.nn)};
+        *this = {when, p - face.foot(p - face.corner), outward, face.core_at(p)};
     }
 
     // With the vertices at its ends: a cylinder that is entered beyond them is none.
