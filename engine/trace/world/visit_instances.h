@@ -9,40 +9,43 @@
 // The tree over instances, for one ray or shape.
 namespace peregrine::trace {
 
-// A ray as the nodes over instances see it; in double, where no ray is extreme.
+inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
+// A ray as the nodes over instances see it.
 class RayGate {
 public:
-    explicit RayGate(const math::Ray& ray) : t_min_(double(ray.t_min)) {
-        const double smallest = 0x1p-26 * double(largest_component(ray.direction));
+    explicit RayGate(const math::Ray& ray)
+        : distance_(largest_component(ray.origin)), t_min_(ray.t_min) {
+        const float largest = largest_component(ray.direction), smallest = 0x1p-26f * largest;
+        is_usual_ = largest >= 0x1p-32f && largest <= 0x1p32f && distance_ <= 0x1p60f;
         for (int k = 0; k < 3; ++k) {
-            const double d = double(ray.direction[k]);
-            origin_[k] = double(ray.origin[k]);
-            inverse_[k] = 1 / (std::abs(d) < smallest ? std::copysign(smallest, d) : d);
+            const float d = ray.direction[k];
+            origin_[k] = ray.origin[k];
+            inverse_[k] = 1 / (std::fabs(d) < smallest ? std::copysign(smallest, d) : d);
         }
-        distance_ = double(largest_component(ray.origin));
     }
 
     // Where the ray may enter; beyond `t_max`: nowhere.
     double enter(const accel::instances::Extent& extent, double t_max) const {
-        const double margin = double(extent.margin) + double(extent.slope) * distance_;
-        double t_near = t_min_, t_far = t_max;
+        const float margin = extent.margin + extent.slope * distance_;
+        float t_near = t_min_, t_far = float(t_max);
         for (int k = 0; k < 3; ++k) {
-            const double a = (double(extent.box.lower[k]) - margin - origin_[k]) * inverse_[k];
-            const double b = (double(extent.box.upper[k]) + margin - origin_[k]) * inverse_[k];
+            const float a = ((extent.box.lower[k] - margin) - origin_[k]) * inverse_[k];
+            const float b = ((extent.box.upper[k] + margin) - origin_[k]) * inverse_[k];
             t_near = std::max(t_near, std::min(a, b));
             t_far = std::min(t_far, std::max(a, b));
         }
-        return t_near <= t_far ? t_near : std::numeric_limits<double>::infinity();
+        // Of an unusual ray float may say anything.
+        return t_near <= t_far ? double(t_near) : is_usual_ ? kNowhere : double(t_min_);
     }
 
 private:
-    double origin_[3];
-    double inverse_[3];
-    double distance_;
-    double t_min_;
+    float origin_[3];
+    float inverse_[3];
+    float distance_;
+    float t_min_;
+    bool is_usual_;
 };
-
-inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 // Calls visit(instance) for those that what the gate stands for, which enters at `entry`, may meet
 // before `t_max`, which may shrink meanwhile, roughly from front to back, until visit returns true.
