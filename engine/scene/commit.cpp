@@ -5,6 +5,7 @@
 #include "geometry/area.h"
 #include "scene/alpha_test.h"
 #include "scene/resolve.h"
+#include "trace/world/ray_lists.h"
 
 namespace peregrine::scene {
 namespace {
@@ -79,6 +80,7 @@ trace::Part Commit::part_of(const Geometry& geometry, uint64_t first) const {
 void Commit::place_instances() {
     trace::World& world = snapshot_.world;
     world.fixed = part_of(*snapshot_.fixed, 0);
+    world.ray_lists = &trace::ray_lists(world.fixed.kernels->isa);
     uint64_t first = snapshot_.fixed->infos.size();
     world.first_moving = uint32_t(first);
 
@@ -121,7 +123,8 @@ void Commit::place_instances() {
                    "the scene has %zu dynamic and rigid meshes and instances; at most %u are "
                    "supported",
                    snapshot_.instances.size(), accel::instances::kMaxInstances);
-    accel::instances::build(scene_.extents_, scene_.places_, snapshot_.instance_nodes);
+    world.moving_bounds =
+        accel::instances::build(scene_.extents_, scene_.places_, snapshot_.instance_nodes);
     world.instances = snapshot_.instances.data();
     world.instance_count = uint32_t(snapshot_.instances.size());
     world.nodes = snapshot_.instances.empty() ? nullptr : snapshot_.instance_nodes.data();
@@ -130,7 +133,7 @@ void Commit::place_instances() {
 void Commit::find_bounds() {
     trace::World& world = snapshot_.world;
     world.bounds = world.fixed.target.bounds;
-    if (world.nodes) world.bounds.extend(world.nodes[0].extent.box);
+    if (world.nodes) world.bounds.extend(world.moving_bounds);
 }
 
 void Commit::prepare() {

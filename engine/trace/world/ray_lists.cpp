@@ -6,8 +6,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "trace/slabs.h"
 #include "trace/world/ray_lists.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -77,6 +80,53 @@ HWY_ATTR uint32_t enter_all(const accel::instances::Extent& extent, const GateSt
     return entered;
 }
 
+HWY_ATTR HWY_INLINE void meet_children(const accel::instances::Node& node, const GateRay& ray,
+                                       float t_max, EnteredNode& entered) {
+    entered.children = 0;
+    for (uint32_t first = 0; first < accel::instances::kWidth; first += kWidth) {
+        const auto m = hn::MulAdd(hn::Load(kF, node.slope + first), hn::Set(kF, ray.distance),
+                                  hn::Load(kF, node.margin + first));
+        auto near = hn::Set(kF, ray.t_min), far = hn::Set(kF, t_max);
+        for (int k = 0; k < 3; ++k) {
+            const auto origin = hn::Set(kF, ray.origin[k]), inverse = hn::Set(kF, ray.inverse[k]);
+            const auto lower = hn::Sub(hn::Load(kF, node.lower[k] + first), m);
+            const auto upper = hn::Add(hn::Load(kF, node.upper[k] + first), m);
+            const auto a = hn::Mul(hn::Sub(lower, origin), inverse);
+            const auto b = hn::Mul(hn::Sub(upper, origin), inverse);
+            near = hn::Max(near, hn::Min(a, b));
+            far = hn::Min(far, hn::Max(a, b));
+        }
+        hn::Store(near, kF, entered.t_near + first);
+        uint8_t bytes[8] = {};
+        hn::StoreMaskBits(kF, hn::Le(near, far), bytes);
+        entered.children |= uint32_t(bytes[0]) << first;
+    }
+    if (!ray.is_usual) [[unlikely]] {
+        entered.children = ~0u;
+        std::fill_n(entered.t_near, accel::instances::kWidth, ray.t_min);
+    }
+    entered.children &= (1u << node.count) - 1;
+}
+
+HWY_ATTR void enter_node(const accel::instances::Node& node, const GateRay& ray, float t_max,
+                         EnteredNode& entered) {
+    meet_children(node, ray, t_max, entered);
+}
+
+HWY_ATTR void enter_root(const accel::instances::Node& root, const math::Ray& ray, GateRay& gate,
+                         EnteredNode& entered) {
+    const float largest = largest_component(ray.direction), smallest = 0x1p-26f * largest;
+    for (int k = 0; k < 3; ++k) {
+        const float d = ray.direction[k];
+        gate.origin[k] = ray.origin[k];
+        gate.inverse[k] = 1 / (std::fabs(d) < smallest ? std::copysign(smallest, d) : d);
+    }
+    gate.distance = largest_component(ray.origin);
+    gate.t_min = ray.t_min;
+    gate.is_usual = largest >= 0x1p-32f && largest <= 0x1p32f && gate.distance <= 0x1p60f;
+    meet_children(root, gate, ray.t_max, entered);
+}
+
 HWY_ATTR void look_at(const RayStream& rays, GateStream& gate) {
     const auto zero = hn::Zero(kF), one = hn::Set(kF, 1.0f);
     for (uint32_t i = 0; i < rays.count; i += kWidth) {
@@ -104,7 +154,7 @@ HWY_ATTR void look_at(const RayStream& rays, GateStream& gate) {
     }
 }
 
-constexpr RayLists kRayLists = {look_at, enter_all, enter};
+constexpr RayLists kRayLists = {look_at, enter_all, enter, enter_root, enter_node};
 
 } // namespace peregrine::trace::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

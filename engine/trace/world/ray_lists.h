@@ -20,6 +20,21 @@ struct GateStream {
     alignas(64) float t_max[kRoom]; // where the best hit is so far; below t_min: nothing is left
 };
 
+// One ray. Where its numbers could leave float's normal range, it enters everything.
+struct GateRay {
+    float origin[3];
+    float inverse[3];
+    float distance; // |origin|_inf
+    float t_min;
+    bool is_usual;
+};
+
+// The children of a node that something enters, as bits, and when.
+struct EnteredNode {
+    uint32_t children;
+    alignas(32) float t_near[accel::instances::kWidth];
+};
+
 // Lists of rays, by number in the stream; with room for 16 more.
 using RayNumber = uint16_t;
 
@@ -33,6 +48,12 @@ struct RayLists {
     // Those of `from` that may meet the extent; returns how many. `to` may be `from`.
     uint32_t (*enter)(const accel::instances::Extent& extent, const GateStream& rays,
                       const RayNumber* from, uint32_t count, RayNumber* to);
+    // What a ray is to the nodes, and which children of the first it may meet.
+    void (*enter_root)(const accel::instances::Node& root, const math::Ray& ray, GateRay& gate,
+                       EnteredNode& entered);
+    // The children that the ray may meet up to t_max.
+    void (*enter_node)(const accel::instances::Node& node, const GateRay& ray, float t_max,
+                       EnteredNode& entered);
 };
 
 // For this instruction set, or the plain one if it was not compiled. Does not ask the machine.

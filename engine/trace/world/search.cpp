@@ -81,9 +81,9 @@ void Search::visit_parts(const math::Ray& ray, Visitor::Wants wants, Hits& hits)
     };
     if (visit(world_.fixed, left, filter_, nullptr)) return;
     if (!world_.nodes) return;
-    const RayGate gate(ray);
-    const double entry = gate.enter(world_.nodes[0].extent, double(left.t_max));
-    visit_instances(world_, gate, entry, left.t_max, [&](const Instance& instance) {
+    EnteredNode entered;
+    const RayGate gate(world_, left, entered);
+    visit_instances(world_, gate, entered, left.t_max, [&](const Instance& instance) {
         math::Ray local;
         if (!sees(filter_, instance) || !within(instance, left, local)) return false;
         counters_.instances += instance.has_own_space();

@@ -68,17 +68,19 @@ class VolumeGate {
 public:
     VolumeGate(const Volume& volume, double reach) : slabs_(slabs<double>(volume, reach, 0)) {}
 
-    // Where it may enter; beyond `t_max`: nowhere.
-    double enter(const accel::instances::Extent& extent, double t_max) const {
-        const math::Box& box = extent.box;
-        double t_near = 0, t_far = t_max;
-        for (int k = 0; k < 3; ++k) {
-            const double a = (double(box.lower[k]) - slabs_.origin[k]) * slabs_.inverse[k];
-            const double b = (double(box.upper[k]) - slabs_.origin[k]) * slabs_.inverse[k];
-            t_near = std::max(t_near, std::min(a, b) - slabs_.margin[k]);
-            t_far = std::min(t_far, std::max(a, b) + slabs_.margin[k]);
+    void enter(const accel::instances::Node& node, float t_max, EnteredNode& entered) const {
+        entered.children = 0;
+        for (uint32_t i = 0; i < node.count; ++i) {
+            double t_near = 0, t_far = double(t_max);
+            for (int k = 0; k < 3; ++k) {
+                const double a = (double(node.lower[k][i]) - slabs_.origin[k]) * slabs_.inverse[k];
+                const double b = (double(node.upper[k][i]) - slabs_.origin[k]) * slabs_.inverse[k];
+                t_near = std::max(t_near, std::min(a, b) - slabs_.margin[k]);
+                t_far = std::min(t_far, std::max(a, b) + slabs_.margin[k]);
+            }
+            entered.children |= uint32_t(t_near <= t_far) << i;
+            entered.t_near[i] = float(t_near);
         }
-        return t_near <= t_far ? t_near : kNowhere;
     }
 
 private:
@@ -90,9 +92,10 @@ private:
 template <class Visit>
 bool visit_instances(const World& world, const Volume& volume, const Filter& filter,
                      const float& t_max, Visit&& visit) {
-    const VolumeGate gate(volume, reach_of(world.nodes[0].extent.box, volume));
-    const double entry = gate.enter(world.nodes[0].extent, double(t_max));
-    return visit_instances(world, gate, entry, t_max, [&](const Instance& instance) {
+    const VolumeGate gate(volume, reach_of(world.moving_bounds, volume));
+    EnteredNode entered;
+    gate.enter(world.nodes[0], t_max, entered);
+    return visit_instances(world, gate, entered, t_max, [&](const Instance& instance) {
         return sees(filter, instance) && visit(instance, to_local(instance, volume));
     });
 }

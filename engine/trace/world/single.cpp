@@ -21,13 +21,13 @@ void take_first(const World& world, Hit hit, uint32_t first, Hit& best) {
 
 Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& filter) {
     // Most rays miss all that moves: they pay for this alone.
-    const RayGate gate(ray);
-    const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
-    if (entry == kNowhere) return world.fixed.kernels->closest(world.fixed.target, ray, filter);
+    EnteredNode entered;
+    const RayGate gate(world, ray, entered);
+    if (entered.children == 0) return world.fixed.kernels->closest(world.fixed.target, ray, filter);
     Hit best = world.fixed.kernels->closest(world.fixed.target, ray, filter);
     math::Ray left = ray; // what is left of it in front of the best hit
     left.t_max = std::min(ray.t_max, best.t);
-    visit_instances(world, gate, entry, left.t_max, [&](const Instance& instance) {
+    visit_instances(world, gate, entered, left.t_max, [&](const Instance& instance) {
         math::Ray local;
         if (!sees(filter, instance) || !within(instance, left, local)) return false;
         const Part& part = instance.part;
@@ -42,9 +42,9 @@ Hit closest_of_parts(const World& world, const math::Ray& ray, const Filter& fil
 
 bool occluded_by_parts(const World& world, const math::Ray& ray, const Filter& filter) {
     if (world.fixed.kernels->occluded(world.fixed.target, ray, filter)) return true;
-    const RayGate gate(ray);
-    const double entry = gate.enter(world.nodes[0].extent, double(ray.t_max));
-    return visit_instances(world, gate, entry, ray.t_max, [&](const Instance& instance) {
+    EnteredNode entered;
+    const RayGate gate(world, ray, entered);
+    return visit_instances(world, gate, entered, ray.t_max, [&](const Instance& instance) {
         math::Ray local;
         return sees(filter, instance) && within(instance, ray, local)
                && instance.part.kernels->occluded(instance.part.target, local,

@@ -11,7 +11,7 @@
 namespace peregrine::trace {
 namespace {
 
-using accel::instances::Extent;
+using accel::instances::Link;
 using accel::instances::Node;
 
 static_assert(kMaxStream + 16 <= kRoom);
@@ -23,43 +23,57 @@ template <class Kind>
 class Walk {
 public:
     Walk(const World& world, const RayStream& rays, const Filter& filter, Kind& kind)
-        : world_(world), rays_(rays), filter_(filter), kind_(kind),
-          lists_(ray_lists(world.fixed.kernels->isa)), sub_(rays.coherence) {
+        : world_(world), rays_(rays), filter_(filter), kind_(kind), lists_(*world.ray_lists),
+          sub_(rays.coherence) {
         lists_.look_at(rays, gate_);
         for (uint32_t i = 0; i < rays.count; ++i) gate_.t_max[i] = kind.left(i);
     }
 
     void run() {
-        const uint32_t count =
-            lists_.enter_all(world_.nodes[0].extent, gate_, rays_.count, list(0));
-        if (count != 0) visit(0, 0, count);
+        const Node& root = world_.nodes[0];
+        for_each_child(root, 0, [&](uint32_t i) {
+            return lists_.enter_all(root.extent(i), gate_, rays_.count, list(0));
+        });
     }
 
 private:
     RayNumber* list(uint32_t level) { return room_[level]; }
 
-    void visit(uint32_t place, uint32_t level, uint32_t count) {
-        const Node& node = world_.nodes[place];
-        if (node.right == 0) return visit_instance(world_.instances[node.instance], level, count);
-        uint32_t children[2] = {place + 1, node.right};
-        if (!left_first(children, list(level)[0])) std::swap(children[0], children[1]);
-        for (const uint32_t child : children) {
-            RayNumber* const entering = list(level + 1);
-            std::fill_n(list(level) + count, 16, RayNumber(0));
-            const uint32_t entered =
-                lists_.enter(world_.nodes[child].extent, gate_, list(level), count, entering);
-            if (entered != 0) visit(child, level + 1, entered);
+    // Visits those children of which enter(i) finds rays, as many as it returns, in list(level).
+    template <class Enter>
+    void for_each_child(const Node& node, uint32_t level, Enter&& enter) {
+        uint32_t order[accel::instances::kWidth];
+        sort_children(node, level == 0 ? 0 : list(level - 1)[0], order);
+        for (uint32_t k = 0; k < node.count; ++k) {
+            const uint32_t count = enter(order[k]);
+            if (count == 0) continue;
+            const Link child = node.child[order[k]];
+            if (child.is_leaf())
+                visit_instance(world_.instances[child.instance()], level, count);
+            else
+                visit(world_.nodes[child.node()], level, count);
         }
     }
 
-    bool left_first(const uint32_t (&children)[2], uint32_t ray) const {
-        const math::Box& a = world_.nodes[children[0]].extent.box;
-        const math::Box& b = world_.nodes[children[1]].extent.box;
-        float order = 0;
-        for (int k = 0; k < 3; ++k)
-            order +=
-                rays_.direction[k][ray] * ((b.lower[k] + b.upper[k]) - (a.lower[k] + a.upper[k]));
-        return order >= 0;
+    void visit(const Node& node, uint32_t level, uint32_t count) {
+        std::fill_n(list(level) + count, 16, RayNumber(0));
+        for_each_child(node, level + 1, [&](uint32_t i) {
+            return lists_.enter(node.extent(i), gate_, list(level), count, list(level + 1));
+        });
+    }
+
+    // As the ray goes through them, by their centres.
+    void sort_children(const Node& node, uint32_t ray, uint32_t* order) const {
+        float along[accel::instances::kWidth];
+        for (uint32_t i = 0; i < node.count; ++i) {
+            along[i] = 0;
+            for (int k = 0; k < 3; ++k)
+                along[i] += rays_.direction[k][ray] * (node.lower[k][i] + node.upper[k][i]);
+            uint32_t place = i;
+            for (; place > 0 && along[order[place - 1]] > along[i]; --place)
+                order[place] = order[place - 1];
+            order[place] = i;
+        }
     }
 
     void visit_instance(const Instance& instance, uint32_t level, uint32_t count) {
@@ -83,7 +97,7 @@ private:
     const RayLists& lists_;
     SubStream sub_;
     GateStream gate_;
-    RayNumber room_[accel::instances::kMaxDepth + 1][kRoom];
+    RayNumber room_[accel::instances::kMaxDepth][kRoom];
 };
 
 class Closest {
@@ -94,8 +108,12 @@ public:
 
     void ask(const World& world, const Part& part, const Filter& filter, SubStream& sub,
              GateStream& gate) {
-        part.kernels->closest_stream(part.target, sub.stream(), filter,
-                                     found_.stream(hits_.steps != nullptr));
+        if (sub.is_few())
+            for (uint32_t i = 0; i < sub.count(); ++i)
+                found_.set(i, part.kernels->closest(part.target, sub.ray(i), filter));
+        else
+            part.kernels->closest_stream(part.target, sub.stream(), filter,
+                                         found_.stream(hits_.steps != nullptr));
         for (uint32_t i = 0; i < sub.count(); ++i) {
             const uint32_t to = sub.number(i);
             if (hits_.steps) hits_.steps[to] += found_.steps[i];
@@ -125,7 +143,11 @@ public:
 
     void ask(const World&, const Part& part, const Filter& filter, SubStream& sub,
              GateStream& gate) {
-        part.kernels->occluded_stream(part.target, sub.stream(), filter, found_);
+        if (sub.is_few())
+            for (uint32_t i = 0; i < sub.count(); ++i)
+                found_[i] = part.kernels->occluded(part.target, sub.ray(i), filter);
+        else
+            part.kernels->occluded_stream(part.target, sub.stream(), filter, found_);
         for (uint32_t i = 0; i < sub.count(); ++i) {
             if (!found_[i]) continue;
             occluded_[sub.number(i)] = 1;

@@ -27,6 +27,14 @@ public:
     }
     uint32_t count() const { return count_; }
     uint32_t number(uint32_t i) const { return number_[i]; }
+    // So few that a stream is not worth its beginning.
+    bool is_few() const { return count_ <= kFew; }
+    math::Ray ray(uint32_t i) const {
+        return {{origin_[0][i], origin_[1][i], origin_[2][i]},
+                t_min_[i],
+                {direction_[0][i], direction_[1][i], direction_[2][i]},
+                t_max_[i]};
+    }
 
     // Padded with its last ray, which must be there.
     RayStream stream() {
@@ -49,6 +57,8 @@ public:
     }
 
 private:
+    static constexpr uint32_t kFew = 16;
+
     Coherence coherence_;
     uint32_t count_ = 0;
     alignas(64) float origin_[3][kRoom];
@@ -67,6 +77,14 @@ struct SubHits {
     alignas(64) uint32_t back_face[kRoom];
     alignas(64) uint32_t steps[kRoom];
 
+    void set(uint32_t i, const Hit& hit) {
+        t[i] = hit.t;
+        u[i] = hit.u;
+        v[i] = hit.v;
+        triangle[i] = hit.triangle;
+        back_face[i] = hit.back_face;
+        steps[i] = hit.steps;
+    }
     HitStream stream(bool with_steps) {
         return {t, u, v, triangle, back_face, with_steps ? steps : nullptr};
     }

@@ -30,10 +30,14 @@ struct Instance {
     bool has_own_space() const { return to_world != nullptr; }
 };
 
+struct RayLists; // trace/world/ray_lists.h
+
 // Everything that a ray can hit.
 struct World {
     Part fixed;
+    const RayLists* ray_lists = nullptr;           // of the instruction set of `fixed`
     const accel::instances::Node* nodes = nullptr; // over the instances; null: none
+    math::Box moving_bounds;                       // of all of them
     const Instance* instances = nullptr;           // in ascending order of Part::first
     uint32_t instance_count = 0;
     uint32_t first_moving = 0; // number of the first triangle that is not fixed
