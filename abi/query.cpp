@@ -1,3 +1,4 @@
+#include "query/chosen.h"
 #include "query/single.h"
 
 #include "guard.h"
@@ -8,46 +9,103 @@
 #include "require_snapshot.h"
 #include "scene_table.h"
 
+#include <cmath>
+
 namespace peregrine::abi {
 namespace {
 
-// One ray, everything visible, nothing unusual: what most calls from gameplay code are.
-bool is_plain(const rt_query_desc& desc) {
-    const uint32_t unusual = uint32_t(desc.faces) | desc.flags | ~desc.layer_mask
-                             | desc.ignore_mesh.generation | desc.ray_stride | desc.result_stride
+// Whether the descriptor asks for one ray and nothing out of the ordinary, but for `others`.
+bool is_one_ray(const rt_query_desc& desc, uint32_t others, const void* options) {
+    const uint32_t unusual = others | desc.ray_stride | desc.result_stride | desc.reserved
                              | (uint32_t(desc.coherence) & ~uint32_t(RT_COHERENCE_INCOHERENT));
     const auto pointers =
         reinterpret_cast<uintptr_t>(desc.ray_arrays) | reinterpret_cast<uintptr_t>(desc.hit_arrays)
-        | reinterpret_cast<uintptr_t>(desc.options) | reinterpret_cast<uintptr_t>(desc.surfaces);
+        | reinterpret_cast<uintptr_t>(options) | reinterpret_cast<uintptr_t>(desc.surfaces);
     return desc.ray_count == 1 && (unusual | pointers) == 0;
 }
 
-// Calls trace(snapshot, ray) if there is a snapshot, at the world's own origin, and a ray in its
-// place.
-template <class Trace>
-bool with_ray(const HostScene& host, const rt_query_desc& desc, Trace&& trace) {
-    // In place: a copy in wide words would wait for the narrow stores of a host that has just put
-    // the ray together.
-    if (!desc.rays || reinterpret_cast<uintptr_t>(desc.rays) % alignof(math::Ray) != 0)
-        return false;
-    const scene::SnapshotStore::Pin pin(host.scene.snapshots);
-    if (!pin.get() || pin.get()->displaced) return false;
-    trace(*pin.get(), *reinterpret_cast<const math::Ray*>(desc.rays));
-    return true;
+// Everything is visible: what most calls from gameplay code are.
+bool is_plain(const rt_query_desc& desc) {
+    return is_one_ray(
+        desc, uint32_t(desc.faces) | desc.flags | ~desc.layer_mask | desc.ignore_mesh.generation,
+        desc.options);
 }
 
-// False: ask the long way, which also finds the words for what is wrong.
-bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
-    if (!is_plain(desc)) return false;
+bool is_simple(const rt_query_options& options) {
+    const bool is_near = std::fabs(options.origin[0]) <= kFarthest
+                         && std::fabs(options.origin[1]) <= kFarthest
+                         && std::fabs(options.origin[2]) <= kFarthest;
+    return options.struct_size == sizeof options && options.reserved == 0 && is_near
+           && options.ignore_count == 0 && !options.accept && !options.stats;
+}
+
+// Some triangles do not count, or the ray is somewhere else: what most other calls are.
+bool is_simple(const rt_query_desc& desc) {
+    return is_one_ray(desc, desc.flags & ~uint32_t(RT_QUERY_ALPHA_TEST), nullptr)
+           && uint32_t(desc.faces) <= uint32_t(RT_FACES_BACK)
+           && (!desc.options || is_simple(*desc.options));
+}
+
+// In place: a copy in wide words would wait for the narrow stores of a host that has just put the
+// ray together. Null: it has to be copied.
+const math::Ray* ray_in_place(const rt_query_desc& desc) {
+    const bool is_aligned = reinterpret_cast<uintptr_t>(desc.rays) % alignof(math::Ray) == 0;
+    return is_aligned ? reinterpret_cast<const math::Ray*>(desc.rays) : nullptr;
+}
+
+// Calls with(trace), where trace(snapshot, ray, filter) answers what the descriptor asks of one
+// ray; false if there is no place for the answer.
+template <class With>
+bool with_tracer(const rt_query_desc& desc, With&& with) {
     if (desc.kind == RT_QUERY_CLOSEST && desc.hits)
-        return with_ray(host, desc, [&](const scene::Snapshot& snapshot, const math::Ray& ray) {
-            query::closest_hit(snapshot, ray, reinterpret_cast<std::byte*>(desc.hits));
+        return with([&](const scene::Snapshot& snapshot, const math::Ray& ray,
+                        const trace::Filter& filter) {
+            query::closest_hit(snapshot, ray, filter, reinterpret_cast<std::byte*>(desc.hits));
         });
     if (desc.kind == RT_QUERY_ANY && desc.occluded)
-        return with_ray(host, desc, [&](const scene::Snapshot& snapshot, const math::Ray& ray) {
-            *desc.occluded = query::occluded(snapshot, ray);
+        return with([&](const scene::Snapshot& snapshot, const math::Ray& ray,
+                        const trace::Filter& filter) {
+            *desc.occluded = query::occluded(snapshot, ray, filter);
         });
     return false;
+}
+
+// These two return false where the long way is the one to go, which also finds the words for what
+// is wrong.
+bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
+    if (!is_plain(desc)) return false;
+    return with_tracer(desc, [&](auto&& trace) {
+        const math::Ray* const ray = ray_in_place(desc);
+        if (!ray) return false;
+        const scene::SnapshotStore::Pin pin(host.scene.snapshots);
+        if (!pin.get() || pin.get()->displaced) return false;
+        trace(*pin.get(), *ray, query::kEverything);
+        return true;
+    });
+}
+
+[[gnu::noinline]] bool trace_simple(const HostScene& host, const rt_query_desc& desc) {
+    if (!is_simple(desc)) return false;
+    return with_tracer(desc, [&](auto&& trace) {
+        const math::Ray* const ray = ray_in_place(desc);
+        if (!ray) return false;
+        const auto pin = pin_snapshot(host.scene.snapshots,
+                                      desc.options ? desc.options->snapshot : rt_snapshot{});
+        if (!pin.get()) return false;
+        const scene::Snapshot& snapshot = *pin.get();
+        query::Selection selection;
+        selection.faces = trace::Faces(desc.faces);
+        selection.layer_mask = desc.layer_mask;
+        selection.ignore_mesh = to_handle(desc.ignore_mesh);
+        selection.alpha_test = (desc.flags & RT_QUERY_ALPHA_TEST) != 0;
+        const trace::Filter filter = query::filter_of(snapshot, selection);
+        const query::Shift shift{origin_of(desc.options) - snapshot.origin};
+        if (shift)
+            trace(snapshot, shift.applied(*ray), filter);
+        else
+            trace(snapshot, *ray, filter);
+        return true;
+    });
 }
 
 // Apart from the short way, so that its registers and stack cost that one nothing.
@@ -66,7 +124,7 @@ bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
             return require_snapshot(pin, options.snapshot());
         };
         const auto ask = [&](auto&& query, const auto&... results) {
-            rays.origin = options.origin_in(snapshot());
+            rays.shift = {options.origin_in(snapshot())};
             query(snapshot(), rays, request, results...);
         };
         switch (desc.kind) {
@@ -102,7 +160,7 @@ rt_result rt_trace_query(rt_scene scene, const rt_query_desc* desc) noexcept {
         HostScene& host = find_scene(scene);
         if (!desc || desc->struct_size != sizeof *desc) [[unlikely]]
             trace_read(host, desc);
-        else if (!trace_plain(host, *desc))
+        else if (!trace_plain(host, *desc) && !trace_simple(host, *desc))
             trace_any(host, *desc);
     });
 }

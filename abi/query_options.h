@@ -6,6 +6,12 @@
 
 namespace peregrine::abi {
 
+// The point that a query's records are relative to; without options the world's own origin.
+inline math::Vec3d origin_of(const rt_query_options* options) {
+    return options ? math::Vec3d(options->origin[0], options->origin[1], options->origin[2])
+                   : math::Vec3d(0);
+}
+
 // rt_query_options, read and checked; the defaults for null. Stays where it is while a query runs.
 class QueryOptions {
 public:
@@ -18,8 +24,7 @@ public:
     rt_snapshot snapshot() const { return fields_.snapshot; }
     // Of the records, as the snapshot counts positions.
     math::Vec3d origin_in(const scene::Snapshot& snapshot) const {
-        return math::Vec3d(fields_.origin[0], fields_.origin[1], fields_.origin[2])
-               - snapshot.origin;
+        return origin_of(&fields_) - snapshot.origin;
     }
     bool wants_stats() const { return fields_.stats != nullptr; }
     void write_stats(const trace::Counters& counters) const;

@@ -42,7 +42,7 @@ public:
         const float* lanes[8];
         rays.records ? split(rays, first, count, loaders, lanes)
                      : place(rays.arrays, first, count, lanes);
-        if (rays.moved()) [[unlikely]]
+        if (rays.shift) [[unlikely]]
             move(rays, count, lanes);
         return {{lanes[0], lanes[1], lanes[2]},
                 {lanes[4], lanes[5], lanes[6]},
@@ -58,7 +58,7 @@ private:
         for (uint32_t k = 0; k < 8; ++k) lanes[k] = rooms[k] = room_[k].value;
         const bool valid =
             loaders.split(rays.records + first * rays.stride, rays.stride, count, rooms);
-        if (!valid && !rays.moved()) [[unlikely]]
+        if (!valid && !rays.shift) [[unlikely]]
             reject_first(rays);
     }
 
@@ -78,7 +78,7 @@ private:
         const uint32_t padded = (count + kPad - 1) / kPad * kPad;
         for (int k = 0; k < 3; ++k) {
             float* const room = room_[k].value;
-            for (uint32_t i = 0; i < padded; ++i) room[i] = rays.move(lanes[k][i], k);
+            for (uint32_t i = 0; i < padded; ++i) room[i] = rays.shift.applied(lanes[k][i], k);
             lanes[k] = room;
         }
     }
@@ -176,7 +176,7 @@ void for_each_chunk(const Rays& rays, uint64_t first, uint64_t end, const RayLoa
 const RayLoaders& check(const scene::Snapshot& snapshot, const Rays& rays,
                         base::Scheduler* scheduler) {
     const RayLoaders& loaders = ray_loaders(snapshot.isa());
-    if (!rays.records || rays.count > kChunk || rays.moved()) check_rays(rays, loaders, scheduler);
+    if (!rays.records || rays.count > kChunk || rays.shift) check_rays(rays, loaders, scheduler);
     return loaders;
 }
 

@@ -9,7 +9,7 @@ namespace peregrine::query {
 namespace {
 
 bool are_valid(const Rays& rays, const RayLoaders& loaders) {
-    if (rays.moved()) {
+    if (rays.shift) {
         bool valid = true;
         for (uint64_t i = 0; i < rays.count; ++i) valid &= is_valid(rays.load(i));
         return valid;

@@ -14,16 +14,20 @@ bool is_there(const scene::Snapshot& snapshot, const base::Handle& mesh) {
 
 } // namespace
 
-Chosen::Chosen(const scene::Snapshot& snapshot, const Selection& selection)
-    : longer_(snapshot.meshes.get_allocator()) {
-    filter_.faces = selection.faces;
-    filter_.layer_mask = selection.layer_mask;
-    filter_.layer_masks = snapshot.layer_masks.data();
-    if (is_there(snapshot, selection.ignore_mesh))
-        filter_.ignore_mesh = selection.ignore_mesh.index;
-    if (!selection.ignore_meshes.empty()) ignore(snapshot, selection.ignore_meshes);
+trace::Filter filter_of(const scene::Snapshot& snapshot, const Selection& selection) {
+    trace::Filter filter;
+    filter.faces = selection.faces;
+    filter.layer_mask = selection.layer_mask;
+    filter.layer_masks = snapshot.layer_masks.data();
+    if (is_there(snapshot, selection.ignore_mesh)) filter.ignore_mesh = selection.ignore_mesh.index;
     if (selection.alpha_test && (snapshot.features & scene::kAlphaMask))
-        filter_.alpha = scene::alpha_test(snapshot);
+        filter.alpha = scene::alpha_test(snapshot);
+    return filter;
+}
+
+Chosen::Chosen(const scene::Snapshot& snapshot, const Selection& selection)
+    : filter_(filter_of(snapshot, selection)), longer_(snapshot.meshes.get_allocator()) {
+    if (!selection.ignore_meshes.empty()) ignore(snapshot, selection.ignore_meshes);
 }
 
 void Chosen::ignore(const scene::Snapshot& snapshot, std::span<const base::Handle> meshes) {

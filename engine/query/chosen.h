@@ -6,7 +6,10 @@
 
 namespace peregrine::query {
 
-// A selection in the kernels' terms. Has the slots that the filter points to.
+// A selection in the kernels' terms, without its list of ignored meshes.
+trace::Filter filter_of(const scene::Snapshot& snapshot, const Selection& selection);
+
+// ... with it: has the slots that the filter points to.
 class Chosen {
 public:
     Chosen(const scene::Snapshot& snapshot, const Selection& selection);

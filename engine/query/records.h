@@ -63,33 +63,42 @@ struct RayArrays {
     }
 };
 
+// Added to the origins of a host's rays, in double; the sum is rounded to float, once an axis. Not
+// 0 where they are relative to a point of the host's own.
+struct Shift {
+    math::Vec3d by{0};
+
+    // Whether it is not 0, of either sign; in integers, for the sake of small batches.
+    explicit operator bool() const {
+        const auto bits = [this](int k) { return std::bit_cast<uint64_t>(by[k]); };
+        return (bits(0) | bits(1) | bits(2)) << 1 != 0;
+    }
+    float applied(float value, int axis) const { return float(double(value) + by[axis]); }
+    math::Ray applied(const math::Ray& ray) const {
+        const math::Vec3& o = ray.origin;
+        return {{applied(o.x, 0), applied(o.y, 1), applied(o.z, 2)},
+                ray.t_min,
+                ray.direction,
+                ray.t_max};
+    }
+};
+
 // The rays of a query, in one form or the other.
 struct Rays {
     uint64_t count;
     const std::byte* records; // null: arrays
     uint32_t stride;
     RayArrays arrays;
-    // Added to every ray's own origin in double; the sum is rounded to float, once an axis. Not 0
-    // where the host's rays are relative to a point of its own.
-    math::Vec3d origin{0};
-
-    // Whether the origin is not 0, of either sign; in integers, for the sake of small batches.
-    bool moved() const {
-        const auto bits = [this](int k) { return std::bit_cast<uint64_t>(origin[k]); };
-        return (bits(0) | bits(1) | bits(2)) << 1 != 0;
-    }
-    float move(float value, int axis) const { return float(double(value) + origin[axis]); }
+    Shift shift{};
 
     math::Ray load(uint64_t i) const {
-        math::Ray ray = records ? load_record(i) : arrays.load(i);
-        if (moved())
-            for (int k = 0; k < 3; ++k) ray.origin[k] = move(ray.origin[k], k);
-        return ray;
+        const math::Ray ray = records ? load_record(i) : arrays.load(i);
+        return shift ? shift.applied(ray) : ray;
     }
 
     Rays part(uint64_t first, uint64_t end) const {
-        return records ? Rays{end - first, records + first * stride, stride, {}, origin}
-                       : Rays{end - first, nullptr, 0, arrays.from(first), origin};
+        return records ? Rays{end - first, records + first * stride, stride, {}, shift}
+                       : Rays{end - first, nullptr, 0, arrays.from(first), shift};
     }
 
 private:

@@ -5,21 +5,23 @@
 #include "scene/snapshot.h"
 #include "trace/world/single.h"
 
-// One ray that may hit anything: the short way, small enough to be part of its caller. Both throw
-// base::Error invalid_argument, as query.h says.
+// One ray: the short way, small enough to be part of its caller. Both throw base::Error
+// invalid_argument, as query.h says.
 namespace peregrine::query {
 
 inline constexpr trace::Filter kEverything;
 
-inline void closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray, std::byte* place) {
+inline void closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray,
+                        const trace::Filter& filter, std::byte* place) {
     check_ray(0, ray);
-    const trace::Hit hit = trace::closest(snapshot.world, ray, kEverything);
+    const trace::Hit hit = trace::closest(snapshot.world, ray, filter);
     store_hit(hit.t, hit.u, hit.v, HitNames(snapshot).of(hit.triangle), hit.back_face, place);
 }
 
-inline bool occluded(const scene::Snapshot& snapshot, const math::Ray& ray) {
+inline bool occluded(const scene::Snapshot& snapshot, const math::Ray& ray,
+                     const trace::Filter& filter) {
     check_ray(0, ray);
-    return trace::occluded(snapshot.world, ray, kEverything);
+    return trace::occluded(snapshot.world, ray, filter);
 }
 
 } // namespace peregrine::query

@@ -2,6 +2,10 @@
 #include "ask.h"
 #include "bad_input.h"
 
+#include <cstring>
+#include <limits>
+#include <random>
+
 namespace peregrine::test {
 namespace {
 
@@ -82,6 +86,71 @@ TEST_F(Boxes, ListsOfMeshesAreIgnored) {
     query.ignore_mesh = boxes[2];
     ask(RT_QUERY_ANY);
     EXPECT_EQ(occluded, 0);
+}
+
+// One ray has a way of its own through the library, two have the batch's: the answers are the same,
+// whatever is asked for.
+TEST_F(Boxes, OneRayIsAnsweredAsInABatch) {
+    rt_snapshot held;
+    ASSERT_OK(rt_hold_snapshot(scene, &held));
+    const double moved[3] = {4, 0, 0};
+    ASSERT_OK(rt_set_world_origin(scene, moved));
+    ASSERT_OK(rt_commit_scene(scene, nullptr, nullptr));
+    std::mt19937 random(1);
+    const auto unit = [&] { return std::uniform_real_distribution<float>(-1, 1)(random); };
+    uint32_t found = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const rt_ray one = {{10 * unit(), unit(), unit()}, 0, {unit(), 0.1f * unit(), 0}, 40};
+        const rt_ray two[2] = {one, one};
+        rt_query_options where = rt_default_query_options();
+        where.origin[0] = i % 3 * 5.0;
+        where.snapshot = i % 5 == 0 ? held : rt_snapshot{};
+        rt_query_desc asked = rt_default_query_desc();
+        asked.options = i % 4 == 0 ? nullptr : &where;
+        asked.faces = rt_faces(i % 3);
+        asked.layer_mask = i % 7 == 0 ? 2 : ~0u;
+        asked.ignore_mesh = i % 2 ? boxes[i % 3] : rt_mesh{};
+        asked.flags = i % 11 == 0 ? RT_QUERY_ALPHA_TEST : 0;
+        rt_hit alone, together[2];
+        uint8_t seen_alone = 7, seen_together[2];
+        asked.occluded = &seen_alone, asked.hits = &alone, asked.rays = &one, asked.ray_count = 1;
+        for (const rt_query_kind kind : {RT_QUERY_CLOSEST, RT_QUERY_ANY}) {
+            asked.kind = kind;
+            ASSERT_OK(rt_trace_query(scene, &asked));
+        }
+        asked.occluded = seen_together, asked.hits = together, asked.rays = two;
+        asked.ray_count = 2;
+        for (const rt_query_kind kind : {RT_QUERY_CLOSEST, RT_QUERY_ANY}) {
+            asked.kind = kind;
+            ASSERT_OK(rt_trace_query(scene, &asked));
+        }
+        ASSERT_EQ(std::memcmp(&alone, &together[1], sizeof alone), 0) << i;
+        ASSERT_EQ(seen_alone, seen_together[1]) << i;
+        found += seen_alone;
+    }
+    EXPECT_GT(found, 200u);
+    EXPECT_LT(found, 1800u);
+    EXPECT_OK(rt_release_snapshot(scene, held));
+}
+
+// What is wrong with one ray's query is found on every way.
+TEST_F(Boxes, OneRaysBadOptionsAreRefused) {
+    const auto refused = [&](auto&& spoil) {
+        options = rt_default_query_options();
+        query.reserved = 0;
+        spoil();
+        hits[0].t = -1;
+        EXPECT_NE(rt_trace_query(scene, &query), RT_OK);
+        EXPECT_EQ(hits[0].t, -1.0f);
+    };
+    refused([&] { options.reserved = 1; });
+    refused([&] { options.origin[1] = std::numeric_limits<double>::quiet_NaN(); });
+    refused([&] { options.origin[2] = 1e31; });
+    refused([&] { options.snapshot = {7, 7}; });
+    refused([&] { options.struct_size = 3; });
+    refused([&] { query.reserved = 1; });
+    query.options = nullptr;
+    refused([&] { query.reserved = 1; });
 }
 
 // Takes back faces of one mesh alone, and remembers for which ray it was asked.

@@ -413,10 +413,10 @@ TEST_P(RequestTest, OriginsInDouble) {
             expected.ask(snapshot(), rays, request);
             rays = rays_of(relative);
             rays.count = size;
-            rays.origin = origin;
+            rays.shift.by = origin;
             got.ask(snapshot(), rays, request);
             EXPECT_TRUE(same(expected, got)) << size;
-            of_arrays.ask(snapshot(), {size, nullptr, 0, arrays, origin}, request);
+            of_arrays.ask(snapshot(), {size, nullptr, 0, arrays, {origin}}, request);
             EXPECT_TRUE(same(expected, of_arrays)) << size;
         }
 }
@@ -426,11 +426,11 @@ TEST_P(RequestTest, OriginsDecideWhatIsARay) {
     query::Rays moved = rays_of(rays);
     Answers answers(rays.size());
     rays[50].origin = Vec3(9e29f, 0, 0);
-    moved.origin = {2e29, 0, 0};
+    moved.shift.by = {2e29, 0, 0};
     const std::string error = error_of([&] { answers.ask(snapshot(), moved, {}); });
     EXPECT_NE(error.find("ray 50: origin x"), std::string::npos) << error;
     rays[50].origin = Vec3(1.1e30f, 0, 0);
-    moved.origin = {-2e29, 0, 0};
+    moved.shift.by = {-2e29, 0, 0};
     EXPECT_EQ(error_of([&] { answers.ask(snapshot(), moved, {}); }), "");
 }
 
