@@ -35,7 +35,7 @@ meet(const Slab (&slabs)[3], float t_max, size_t first, size_t count, int32_t* i
         if (slab.direction == 0) {
             const float never = std::numeric_limits<float>::infinity();
             for (size_t i = 0; i < count; ++i)
-                enter[i] = (lower[i] > low) | (upper[i] < high) ? never : enter[i];
+                enter[i] = ((lower[i] > low) | (upper[i] < high)) ? never : enter[i];
             continue;
         }
         const float inverse = 1 / slab.direction;

@@ -137,11 +137,7 @@ bool same_hits(const query::Hit* a, const query::Hit* b, size_t count) {
 }
 
 query::Rays rays_of(const std::vector<Ray>& rays) {
-    return {rays.size(),
-            reinterpret_cast<const std::byte*>(rays.data()),
-            sizeof(Ray),
-            {},
-            math::Vec3d(0)};
+    return {rays.size(), reinterpret_cast<const std::byte*>(rays.data()), sizeof(Ray), {}, {}};
 }
 
 } // namespace peregrine::test
