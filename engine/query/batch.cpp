@@ -3,6 +3,7 @@
 #include "query/check_rays.h"
 #include "query/hit_stores.h"
 #include "query/ray_loaders.h"
+#include "query/ray_order.h"
 #include "query/spread.h"
 #include "query/valid_ray.h"
 #include "trace/world/stream.h"
@@ -171,6 +172,36 @@ void for_each_chunk(const Rays& rays, uint64_t first, uint64_t end, const RayLoa
     }
 }
 
+// ... of scattered rays, in another order: trace(stream, number, count), where ray i of the stream
+// is ray number(i) of the batch.
+template <class Trace>
+void for_each_sorted_chunk(const Rays& rays, uint64_t first, uint64_t end,
+                           const RayLoaders& loaders, Trace&& trace) {
+    RayOrder order;
+    math::Ray room[kChunk];
+    Chunk chunk;
+    for (; first < end; first += RayOrder::kWindow) {
+        const auto window = uint32_t(std::min<uint64_t>(end - first, RayOrder::kWindow));
+        order.sort(rays, first, window);
+        for (uint32_t begin = 0; begin < window; begin += kChunk) {
+            const uint32_t count = std::min(window - begin, kChunk);
+            const auto number = [&](uint32_t i) { return first + order[begin + i]; };
+            rays.gather(number, count, room);
+            const Rays gathered{
+                count, reinterpret_cast<std::byte*>(room), sizeof *room, {}, rays.shift};
+            trace::RayStream stream = chunk.load(gathered, 0, count, loaders);
+            stream.coherence = trace::Coherence::incoherent;
+            trace(stream, number, count);
+        }
+    }
+}
+
+// Whether neighbours are to be found, not there already.
+bool wants_order(const Rays& rays, uint64_t first, uint64_t end, trace::Coherence coherence) {
+    return (coherence == trace::Coherence::automatic || coherence == trace::Coherence::incoherent)
+           && are_scattered(rays, first, end);
+}
+
 // Records that fit one chunk are checked on the way into it; of more of them, of arrays and of
 // moved rays, all are looked at before the first result is written.
 const RayLoaders& check(const scene::Snapshot& snapshot, const Rays& rays,
@@ -185,23 +216,44 @@ const RayLoaders& check(const scene::Snapshot& snapshot, const Rays& rays,
 void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
                    const Request& request, const Hits& hits, const Surfaces& surfaces) {
     const RayLoaders& loaders = check(snapshot, rays, request.scheduler);
-    spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
+    const trace::Coherence coherence = request.selection.coherence;
+    const auto in_order = [&](uint64_t first, uint64_t end) {
         HitChunk chunk(snapshot);
-        for_each_chunk(rays, first, end, loaders, request.selection.coherence,
+        for_each_chunk(rays, first, end, loaders, coherence,
                        [&](const trace::RayStream& stream, uint64_t begin, uint32_t count) {
                            trace::closest(snapshot.world, stream, filter,
                                           chunk.begin(hits, begin, count));
                            chunk.end(hits, surfaces, begin, count);
                        });
+    };
+    const auto sorted = [&](uint64_t first, uint64_t end) {
+        HitChunk chunk(snapshot);
+        Hit room[kChunk];
+        const Hits found{reinterpret_cast<std::byte*>(room), sizeof *room, {}};
+        for_each_sorted_chunk(
+            rays, first, end, loaders,
+            [&](const trace::RayStream& stream, const auto& number, uint32_t count) {
+                trace::closest(snapshot.world, stream, filter, chunk.begin(found, 0, count));
+                chunk.end(found, {}, 0, count);
+                for (uint32_t i = 0; i < count; ++i) {
+                    hits.store(number(i), room[i]);
+                    if (surfaces) [[unlikely]]
+                        surfaces.store(number(i), surface_at(snapshot, room[i], surfaces.fields));
+                }
+            });
+    };
+    spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
+        wants_order(rays, first, end, coherence) ? sorted(first, end) : in_order(first, end);
     });
 }
 
 void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
                      const Request& request, const Strided<uint8_t>& occluded) {
     const RayLoaders& loaders = check(snapshot, rays, request.scheduler);
-    spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
+    const trace::Coherence coherence = request.selection.coherence;
+    const auto in_order = [&](uint64_t first, uint64_t end) {
         Lane<uint8_t> room;
-        for_each_chunk(rays, first, end, loaders, request.selection.coherence,
+        for_each_chunk(rays, first, end, loaders, coherence,
                        [&](const trace::RayStream& stream, uint64_t begin, uint32_t count) {
                            trace::occluded(snapshot.world, stream, filter, room.value);
                            std::byte* place = occluded.data + begin * occluded.stride;
@@ -212,6 +264,18 @@ void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const tr
                            for (uint32_t i = 0; i < count; ++i, place += occluded.stride)
                                *place = std::byte(room.value[i]);
                        });
+    };
+    const auto sorted = [&](uint64_t first, uint64_t end) {
+        Lane<uint8_t> room;
+        for_each_sorted_chunk(
+            rays, first, end, loaders,
+            [&](const trace::RayStream& stream, const auto& number, uint32_t count) {
+                trace::occluded(snapshot.world, stream, filter, room.value);
+                for (uint32_t i = 0; i < count; ++i) occluded.store(number(i), room.value[i]);
+            });
+    };
+    spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
+        wants_order(rays, first, end, coherence) ? sorted(first, end) : in_order(first, end);
     });
 }
 

@@ -95,6 +95,17 @@ struct Rays {
         const math::Ray ray = records ? load_record(i) : arrays.load(i);
         return shift ? shift.applied(ray) : ray;
     }
+    // These are as the host gives them.
+    template <class Number>
+    void gather(const Number& number, uint32_t count, math::Ray* to) const {
+        if (records)
+            for (uint32_t i = 0; i < count; ++i)
+                std::memcpy(to + i, records + number(i) * stride, sizeof *to);
+        else
+            for (uint32_t i = 0; i < count; ++i) to[i] = arrays.load(number(i));
+    }
+    math::Vec3 own_origin(uint64_t i) const { return load_vector(i, 0); }
+    math::Vec3 direction(uint64_t i) const { return load_vector(i, 4); }
 
     Rays part(uint64_t first, uint64_t end) const {
         return records ? Rays{end - first, records + first * stride, stride, {}, shift}
@@ -102,6 +113,14 @@ struct Rays {
     }
 
 private:
+    math::Vec3 load_vector(uint64_t i, uint32_t k) const {
+        if (!records)
+            return {load_element(arrays.array[k], i), load_element(arrays.array[k + 1], i),
+                    load_element(arrays.array[k + 2], i)};
+        math::Vec3 v;
+        std::memcpy(&v, records + i * stride + k * sizeof(float), sizeof v);
+        return v;
+    }
     math::Ray load_record(uint64_t i) const {
         math::Ray ray;
         std::memcpy(&ray, records + i * stride, sizeof ray);

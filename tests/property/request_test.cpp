@@ -1,6 +1,7 @@
 // What may be asked for beside rays: meshes to ignore, the host's own word on each hit, counters,
 // threads, surfaces, and an origin in double. Answers are those of brute force, by bits.
 #include "base/error.h"
+#include "query/ray_order.h"
 #include "query/valid_ray.h"
 #include "scene/alpha_test.h"
 #include "support/query_world.h"
@@ -381,6 +382,88 @@ TEST_P(RequestTest, SurfacesBesideArrays) {
                         {bytes(arrays.closest_surfaces), sizeof(Surface)});
     EXPECT_TRUE(same(records.closest_surfaces, arrays.closest_surfaces));
     for (size_t i = 0; i < count; ++i) EXPECT_EQ(lanes[i], records.closest[i].t);
+}
+
+// ------------------------------------------------------------------------------- large batches
+
+// Large batches of rays without order are traced in another one; small ones never are.
+TEST_P(RequestTest, ScatteredRaysOfLargeBatches) {
+    std::mt19937 random(8);
+    std::vector<Ray> rays;
+    while (rays.size() < 20001) rays.push_back(rays_[random() % rays_.size()]);
+    ASSERT_TRUE(query::are_scattered(rays_of(rays), 0, rays.size()));
+    const size_t count = rays.size();
+    std::vector<float> lanes[8];
+    query::RayArrays arrays;
+    for (uint32_t k = 0; k < 8; ++k) {
+        for (const Ray& ray : rays) {
+            float values[8];
+            std::memcpy(values, &ray, sizeof values);
+            lanes[k].push_back(values[k]);
+        }
+        arrays.array[k] = lanes[k].data();
+    }
+    const math::Vec3d origin(0.1, -1e3, 7);
+    for (const query::Rays& all : {rays_of(rays), query::Rays{count, nullptr, 0, arrays, {}},
+                                   query::Rays{count, bytes(rays), sizeof(Ray), {}, {origin}},
+                                   query::Rays{count, nullptr, 0, arrays, {origin}}}) {
+        Request request;
+        Answers expected(count), got(count);
+        for (size_t first = 0; first < count; first += 100) {
+            query::Rays few = all.part(first, std::min(first + 100, count));
+            query::closest_hits(snapshot(), few, request,
+                                {bytes(expected.closest) + first * sizeof(Hit), sizeof(Hit), {}},
+                                {bytes(expected.closest_surfaces) + first * sizeof(Surface),
+                                 sizeof(Surface), query::kAllFields});
+            query::occlusion(snapshot(), few, request,
+                             {bytes(expected.occluded) + first, few.count, 1});
+        }
+        for (base::Scheduler* scheduler :
+             {static_cast<base::Scheduler*>(nullptr), &world_->scene.scheduler}) {
+            request.scheduler = scheduler;
+            got = Answers(count);
+            query::closest_hits(snapshot(), all, request, {bytes(got.closest), sizeof(Hit), {}},
+                                {bytes(got.closest_surfaces), sizeof(Surface), query::kAllFields});
+            query::occlusion(snapshot(), all, request, {bytes(got.occluded), count, 1});
+            EXPECT_TRUE(same(expected, got));
+        }
+        std::vector<float> t(count);
+        std::vector<uint32_t> triangle(count);
+        query::closest_hits(
+            snapshot(), all, request,
+            {nullptr, 0, {t.data(), nullptr, nullptr, triangle.data(), nullptr, nullptr}});
+        for (size_t i = 0; i < count; ++i) {
+            ASSERT_EQ(t[i], expected.closest[i].t) << i;
+            ASSERT_EQ(triangle[i], expected.closest[i].triangle) << i;
+        }
+    }
+}
+
+TEST(RayOrder, TakesEachRayOnceAndLikeOnesTogether) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    std::vector<Ray> rays(query::RayOrder::kWindow + 5);
+    for (Ray& ray : rays)
+        ray = {{unit(random), 10 * unit(random), 0}, 0, {unit(random), unit(random), 1}, 1};
+    rays[7].origin.x = 1e30f; // beyond what is sampled
+    const query::Rays all = rays_of(rays);
+    EXPECT_TRUE(query::are_scattered(all, 0, rays.size()));
+    EXPECT_FALSE(query::are_scattered(all, 0, 1000));
+    const auto order = std::make_unique<query::RayOrder>();
+    order->sort(all, 5, query::RayOrder::kWindow);
+    std::vector<Ray> sorted;
+    std::vector<bool> seen(query::RayOrder::kWindow);
+    for (uint32_t i = 0; i < query::RayOrder::kWindow; ++i) {
+        ASSERT_FALSE(seen[(*order)[i]]);
+        seen[(*order)[i]] = true;
+        sorted.push_back(rays[5 + (*order)[i]]);
+    }
+    size_t turns = 0;
+    for (size_t i = 1; i < sorted.size(); ++i)
+        turns += (sorted[i].direction.x < 0) != (sorted[i - 1].direction.x < 0);
+    EXPECT_LE(turns, 7u);
+    for (Ray& ray : sorted) ray.origin = Vec3(1); // of one place
+    EXPECT_FALSE(query::are_scattered(rays_of(sorted), 0, sorted.size()));
 }
 
 // ------------------------------------------------------------------------------------- origins
