@@ -91,9 +91,11 @@ struct Rays {
     RayArrays arrays;
     Shift shift{};
 
+    // A record goes in wide words all the way to the kernels, which load it so.
     math::Ray load(uint64_t i) const {
-        const math::Ray ray = records ? load_record(i) : arrays.load(i);
-        return shift ? shift.applied(ray) : ray;
+        if (shift) return shift.applied(records ? load_record(i) : arrays.load(i));
+        if (records) return load_record(i);
+        return arrays.load(i);
     }
     // These are as the host gives them.
     template <class Number>

@@ -3,6 +3,7 @@
 #include "query/check_rays.h"
 #include "query/chosen.h"
 #include "query/spread.h"
+#include "query/store_hit.h"
 #include "query/total_counters.h"
 #include "query/valid_ray.h"
 #include "trace/world/search.h"
@@ -14,9 +15,12 @@ namespace {
 
 constexpr Hit kMiss = {kInfinity, 0, 0, geometry::kNoTriangle, {}, 0, 0};
 
+base::Handle mesh_of(const scene::Snapshot& snapshot, const trace::WorldHit& hit) {
+    return {hit.mesh, snapshot.generations[hit.mesh]};
+}
+
 Hit to_host(const scene::Snapshot& snapshot, const trace::WorldHit& hit) {
-    const base::Handle mesh = {hit.mesh, snapshot.generations[hit.mesh]};
-    return {hit.t, hit.u, hit.v, hit.primitive, mesh, 0, hit.back_face};
+    return {hit.t, hit.u, hit.v, hit.primitive, mesh_of(snapshot, hit), 0, hit.back_face};
 }
 
 // The host's word in the world's terms.
@@ -91,10 +95,11 @@ void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& 
         snapshot, rays, request, [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
             const auto store = [&](uint32_t k, const trace::WorldHit& found) {
                 const uint64_t place = i * lists.most + k;
-                const Hit hit = to_host(snapshot, found);
-                std::memcpy(lists.hits + place * lists.stride, &hit, sizeof hit);
+                store_hit(found.t, found.u, found.v, {found.primitive, mesh_of(snapshot, found)},
+                          found.back_face, lists.hits + place * lists.stride);
                 if (lists.surfaces)
-                    lists.surfaces.store(place, surface_at(snapshot, hit, lists.surfaces.fields));
+                    lists.surfaces.store(place, surface_at(snapshot, to_host(snapshot, found),
+                                                           lists.surfaces.fields));
             };
             lists.counts.store(i, search.crossings(ray, lists.most, store));
         });
