@@ -34,7 +34,7 @@ public:
     template <class Query, class Record, class Results>
     void run(Query&& query, const query::Strided<Record>& records, const Results& results) {
         const scene::Snapshot& snapshot = require_snapshot(pin_, options_.snapshot());
-        query(snapshot, query::Placed<Record>{records, options_.origin_in(snapshot)}, request_,
+        query(snapshot, query::Placed<Record>{records, {options_.origin_in(snapshot)}}, request_,
               results);
     }
 

@@ -63,8 +63,8 @@ struct RayArrays {
     }
 };
 
-// Added to the origins of a host's rays, in double; the sum is rounded to float, once an axis. Not
-// 0 where they are relative to a point of the host's own.
+// Added to the places of a host's rays and shapes, in double; the sum is rounded to float, once an
+// axis. Not 0 where they are relative to a point of the host's own.
 struct Shift {
     math::Vec3d by{0};
 
@@ -74,12 +74,11 @@ struct Shift {
         return (bits(0) | bits(1) | bits(2)) << 1 != 0;
     }
     float applied(float value, int axis) const { return float(double(value) + by[axis]); }
+    math::Vec3 applied(const math::Vec3& point) const {
+        return {applied(point.x, 0), applied(point.y, 1), applied(point.z, 2)};
+    }
     math::Ray applied(const math::Ray& ray) const {
-        const math::Vec3& o = ray.origin;
-        return {{applied(o.x, 0), applied(o.y, 1), applied(o.z, 2)},
-                ray.t_min,
-                ray.direction,
-                ray.t_max};
+        return {applied(ray.origin), ray.t_min, ray.direction, ray.t_max};
     }
 };
 

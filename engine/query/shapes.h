@@ -86,11 +86,11 @@ inline math::Vec3& place_of(Point& point) {
 // is rounded to float.
 template <class Record>
 struct Placed : Strided<Record> {
-    math::Vec3d origin{0};
+    Shift shift{};
 
     // The record as the snapshot counts positions.
     Record moved(Record record) const {
-        place_of(record) = math::Vec3(math::Vec3d(place_of(record)) + origin);
+        if (shift) place_of(record) = shift.applied(place_of(record));
         return record;
     }
 };

@@ -12,8 +12,9 @@ void check(uint64_t index, const Point& point);
 template <class Record>
 void check_each(const Placed<Record>& records) {
     for (uint64_t i = 0; i < records.count; ++i) {
-        check(i, records.load(i));
-        check(i, records.moved(records.load(i)));
+        const Record record = records.load(i);
+        check(i, record);
+        if (records.shift) check(i, records.moved(record));
     }
 }
 

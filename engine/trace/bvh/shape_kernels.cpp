@@ -60,9 +60,10 @@ public:
             uint32_t first = 0;
             for (uint32_t i = 1; i < count_; ++i)
                 if (entries_[i].best < entries_[first].best) first = i;
-            const Entry entry = entries_[first];
-            entries_[first] = entries_[--count_];
+            // In place: a copy in wide words would wait for the stores that put it together.
+            Entry& entry = entries_[first];
             if (!(entry.best > limit)) judge(entry.vertices, entry.triangle);
+            entry = entries_[--count_];
         }
     }
 
