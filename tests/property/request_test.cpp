@@ -71,6 +71,25 @@ bool same(const Answers& a, const Answers& b) {
            && same(a.closest_surfaces, b.closest_surfaces) && same(a.all_surfaces, b.all_surfaces);
 }
 
+// The same rays as separate arrays.
+struct RayLanes {
+    std::vector<float> lanes[8];
+    query::RayArrays arrays;
+
+    explicit RayLanes(const std::vector<Ray>& rays) {
+        for (uint32_t k = 0; k < 8; ++k) {
+            for (const Ray& ray : rays) {
+                float values[8];
+                std::memcpy(values, &ray, sizeof values);
+                lanes[k].push_back(values[k]);
+            }
+            arrays.array[k] = lanes[k].data();
+        }
+    }
+    RayLanes(const RayLanes&) = delete;
+    RayLanes& operator=(const RayLanes&) = delete;
+};
+
 struct Build {
     const char* name;
     trace::Structure structure;
@@ -393,20 +412,11 @@ TEST_P(RequestTest, ScatteredRaysOfLargeBatches) {
     while (rays.size() < 20001) rays.push_back(rays_[random() % rays_.size()]);
     ASSERT_TRUE(query::are_scattered(rays_of(rays), 0, rays.size()));
     const size_t count = rays.size();
-    std::vector<float> lanes[8];
-    query::RayArrays arrays;
-    for (uint32_t k = 0; k < 8; ++k) {
-        for (const Ray& ray : rays) {
-            float values[8];
-            std::memcpy(values, &ray, sizeof values);
-            lanes[k].push_back(values[k]);
-        }
-        arrays.array[k] = lanes[k].data();
-    }
+    const RayLanes lanes(rays);
     const math::Vec3d origin(0.1, -1e3, 7);
-    for (const query::Rays& all : {rays_of(rays), query::Rays{count, nullptr, 0, arrays, {}},
+    for (const query::Rays& all : {rays_of(rays), query::Rays{count, nullptr, 0, lanes.arrays, {}},
                                    query::Rays{count, bytes(rays), sizeof(Ray), {}, {origin}},
-                                   query::Rays{count, nullptr, 0, arrays, {origin}}}) {
+                                   query::Rays{count, nullptr, 0, lanes.arrays, {origin}}}) {
         Request request;
         Answers expected(count), got(count);
         for (size_t first = 0; first < count; first += 100) {
@@ -476,16 +486,7 @@ TEST_P(RequestTest, OriginsInDouble) {
             relative[i].origin[k] = float(double(rays_[i].origin[k]) - origin[k]);
             moved[i].origin[k] = float(double(relative[i].origin[k]) + origin[k]);
         }
-    std::vector<float> lanes[8];
-    query::RayArrays arrays;
-    for (uint32_t k = 0; k < 8; ++k) {
-        for (const Ray& ray : relative) {
-            float values[8];
-            std::memcpy(values, &ray, sizeof values);
-            lanes[k].push_back(values[k]);
-        }
-        arrays.array[k] = lanes[k].data();
-    }
+    const RayLanes lanes(relative);
     for (const size_t size : {rays_.size(), size_t(1), size_t(5), size_t(100)})
         for (const bool counted : {false, true}) {
             Answers expected(size), got(size), of_arrays(size);
@@ -499,7 +500,7 @@ TEST_P(RequestTest, OriginsInDouble) {
             rays.shift.by = origin;
             got.ask(snapshot(), rays, request);
             EXPECT_TRUE(same(expected, got)) << size;
-            of_arrays.ask(snapshot(), {size, nullptr, 0, arrays, {origin}}, request);
+            of_arrays.ask(snapshot(), {size, nullptr, 0, lanes.arrays, {origin}}, request);
             EXPECT_TRUE(same(expected, of_arrays)) << size;
         }
 }
