@@ -8,6 +8,7 @@ namespace peregrine::abi {
 
 QueryOptions::QueryOptions(const rt_query_options* options)
     : fields_(options ? read_struct(options) : rt_default_query_options()), stats_(fields_.stats) {
+    if (!options) return;
     require_zero(fields_.reserved, "rt_query_options.reserved");
     require_position(fields_.origin, "rt_query_options.origin");
     if (fields_.ignore_count == 0) return;

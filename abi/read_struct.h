@@ -45,6 +45,15 @@ Struct read_struct(const Struct* host_struct) {
     return fields;
 }
 
+// Calls work(*host_struct), where it lies if it has today's layout.
+template <class Struct, class Work>
+void with_struct(const Struct* host_struct, Work&& work) {
+    if (host_struct && host_struct->struct_size == sizeof(Struct)) [[likely]]
+        work(*host_struct);
+    else
+        work(read_struct(host_struct));
+}
+
 // A struct that the library fills, checked before the work and written after it. Null: not wanted.
 template <class Struct>
 class Output {

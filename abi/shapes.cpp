@@ -121,19 +121,25 @@ void nearest(HostScene& host, const rt_nearest_desc& desc) {
     asked.write_stats();
 }
 
+template <class Desc>
+void with(rt_scene scene, const Desc* desc, void (*ask)(HostScene&, const Desc&)) {
+    HostScene& host = find_scene(scene);
+    with_struct(desc, [&](const Desc& fields) { ask(host, fields); });
+}
+
 } // namespace
 } // namespace peregrine::abi
 
 using namespace peregrine::abi;
 
 rt_result rt_sweep_shapes(rt_scene scene, const rt_sweep_desc* desc) noexcept {
-    return guard([&] { sweep(find_scene(scene), read_struct(desc)); });
+    return guard([&] { with(scene, desc, sweep); });
 }
 
 rt_result rt_overlap_shapes(rt_scene scene, const rt_overlap_desc* desc) noexcept {
-    return guard([&] { overlap(find_scene(scene), read_struct(desc)); });
+    return guard([&] { with(scene, desc, overlap); });
 }
 
 rt_result rt_find_nearest(rt_scene scene, const rt_nearest_desc* desc) noexcept {
-    return guard([&] { nearest(find_scene(scene), read_struct(desc)); });
+    return guard([&] { with(scene, desc, nearest); });
 }

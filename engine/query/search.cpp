@@ -63,7 +63,7 @@ void search_each(const scene::Snapshot& snapshot, const Rays& rays, const Reques
             host.begin_ray(i);
             answer(search, i, rays.load(i));
         }
-        total.add(search.counters());
+        if (request.counters) total.add(search.counters());
     });
     if (request.counters) *request.counters = total.get();
 }

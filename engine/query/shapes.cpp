@@ -174,7 +174,7 @@ void for_each(const scene::Snapshot& snapshot, const Placed<Record>& records,
                    witness.begin_shape(i);
                    work(i, records.load(i), chosen.filter(), witness.watch());
                }
-               total.add(witness.counters());
+               if (request.counters) total.add(witness.counters());
            });
     if (request.counters) *request.counters += total.get();
 }
