@@ -70,7 +70,7 @@ void require_finite(std::span<const double> values, const char* field) {
 
 void require_position(const double (&position)[3], const char* field) {
     for (int k = 0; k < 3; ++k)
-        if (!(std::fabs(position[k]) <= kFarthest))
+        if (!is_coordinate(position[k]))
             fail(Code::invalid_argument, "%s[%d] is %g; it must be at most 1e30 in magnitude",
                  field, k, position[k]);
 }

@@ -3,6 +3,7 @@
 #include "base/slot_map.h"
 #include "peregrine/rt.h"
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -20,6 +21,9 @@ void require_finite(std::span<const float> values, const char* field);
 void require_finite(std::span<const double> values, const char* field);
 // A point: each coordinate at most kFarthest in magnitude.
 inline constexpr double kFarthest = 1e30;
+inline bool is_coordinate(double value) {
+    return std::fabs(value) <= kFarthest;
+}
 void require_position(const double (&position)[3], const char* field);
 void require_positive(float value, const char* field);                    // > 0, finite
 void require_colour(std::span<const float> values, const char* field);    // >= 0, finite

@@ -9,7 +9,7 @@
 #include "require_snapshot.h"
 #include "scene_table.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace peregrine::abi {
 namespace {
@@ -32,11 +32,9 @@ bool is_plain(const rt_query_desc& desc) {
 }
 
 bool is_simple(const rt_query_options& options) {
-    const bool is_near = std::fabs(options.origin[0]) <= kFarthest
-                         && std::fabs(options.origin[1]) <= kFarthest
-                         && std::fabs(options.origin[2]) <= kFarthest;
-    return options.struct_size == sizeof options && options.reserved == 0 && is_near
-           && options.ignore_count == 0 && !options.accept && !options.stats;
+    return options.struct_size == sizeof options && options.reserved == 0
+           && std::ranges::all_of(options.origin, is_coordinate) && options.ignore_count == 0
+           && !options.accept && !options.stats;
 }
 
 // Some triangles do not count, or the ray is somewhere else: what most other calls are.
@@ -47,7 +45,7 @@ bool is_simple(const rt_query_desc& desc) {
 }
 
 // In place: a copy in wide words would wait for the narrow stores of a host that has just put the
-// ray together. Null: it has to be copied.
+// ray together. Null: there is none, or it has to be copied.
 const math::Ray* ray_in_place(const rt_query_desc& desc) {
     const bool is_aligned = reinterpret_cast<uintptr_t>(desc.rays) % alignof(math::Ray) == 0;
     return is_aligned ? reinterpret_cast<const math::Ray*>(desc.rays) : nullptr;
@@ -93,10 +91,7 @@ bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
                                       desc.options ? desc.options->snapshot : rt_snapshot{});
         if (!pin.get()) return false;
         const scene::Snapshot& snapshot = *pin.get();
-        query::Selection selection;
-        selection.faces = trace::Faces(desc.faces);
-        selection.layer_mask = desc.layer_mask;
-        selection.ignore_mesh = to_handle(desc.ignore_mesh);
+        query::Selection selection = selected_meshes(desc);
         selection.alpha_test = (desc.flags & RT_QUERY_ALPHA_TEST) != 0;
         const trace::Filter filter = query::filter_of(snapshot, selection);
         const query::Shift shift{origin_of(desc.options) - snapshot.origin};

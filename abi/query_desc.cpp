@@ -1,5 +1,6 @@
 #include "query_desc.h"
 
+#include "query_options.h"
 #include "query_records.h"
 #include "read_struct.h"
 
@@ -64,10 +65,7 @@ query::Selection to_selection(const rt_query_desc& desc) {
     require_enum(desc.coherence, RT_COHERENCE_INCOHERENT, "rt_query_desc.coherence");
     require_bits(desc.flags, RT_QUERY_ALPHA_TEST | RT_QUERY_USE_THREADS, "rt_query_desc.flags");
     require_zero(desc.reserved, "rt_query_desc.reserved");
-    query::Selection selection;
-    selection.faces = trace::Faces(desc.faces);
-    selection.layer_mask = desc.layer_mask;
-    selection.ignore_mesh = to_handle(desc.ignore_mesh);
+    query::Selection selection = selected_meshes(desc);
     selection.alpha_test = (desc.flags & RT_QUERY_ALPHA_TEST) != 0;
     selection.coherence = trace::Coherence(desc.coherence);
     return selection;

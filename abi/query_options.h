@@ -1,10 +1,21 @@
 #pragma once
 
+#include "check.h"
 #include "peregrine/rt.h"
 #include "query/query.h"
 #include "read_struct.h"
 
 namespace peregrine::abi {
+
+// What all descriptions of queries say alike; `faces` is checked already.
+template <class Desc>
+query::Selection selected_meshes(const Desc& desc) {
+    query::Selection selection;
+    selection.faces = trace::Faces(desc.faces);
+    selection.layer_mask = desc.layer_mask;
+    selection.ignore_mesh = to_handle(desc.ignore_mesh);
+    return selection;
+}
 
 // The point that a query's records are relative to; without options the world's own origin.
 inline math::Vec3d origin_of(const rt_query_options* options) {

@@ -21,9 +21,7 @@ public:
         require_bits(desc.flags, known_flags, flags_field);
         require_enum(desc.faces, RT_FACES_BACK, faces_field);
         query::Selection& selection = request_.selection;
-        selection.faces = trace::Faces(desc.faces);
-        selection.layer_mask = desc.layer_mask;
-        selection.ignore_mesh = to_handle(desc.ignore_mesh);
+        selection = selected_meshes(desc);
         selection.skip_separating = (desc.flags & RT_QUERY_SKIP_SEPARATING) != 0;
         options_.select(selection);
         if (desc.flags & RT_QUERY_USE_THREADS) request_.scheduler = &host.scene.scheduler;

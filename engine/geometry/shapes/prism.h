@@ -2,6 +2,8 @@
 
 #include "geometry/shapes/overlap.h"
 
+#include <cstdint>
+
 // A moving ball against the prism that a triangle makes when it is moved from -axis to axis.
 //
 // The ball comes from outside, so what it touches first faces it: the contact's normal, which is
@@ -82,6 +84,7 @@ inline FirstContact meet_prism(const Motion& motion, const Corners& corners, con
         for (const double core : {outer, -outer}) {
             if (core != outer && knows_caps && rim.side == Facing::away) break;
             const double apart = rim.apart + core * rim.lift;
+            // What meet() would find, too, but before the edge is moved: half of them end here.
             if (apart * apart > motion.rr * rim.seen.cc && !rim.is_parallel(motion)) continue;
             first.meet(motion, rim.edge.moved(core * axis, core), rim.seen, apart);
         }
