@@ -46,7 +46,7 @@ struct Shape {
 };
 static_assert(sizeof(Shape) == 48);
 
-// The layout of rt_overlap_hit.
+// The layout of rt_overlap.
 struct OverlapHit {
     base::Handle mesh;
     uint32_t triangle; // the host's own index
@@ -61,7 +61,7 @@ struct Point {
 };
 static_assert(sizeof(Point) == 16);
 
-// The layout of rt_nearest_point.
+// The layout of rt_nearest.
 struct NearestPoint {
     float distance; // infinity: nothing within the radius
     math::Vec3 point;

@@ -8,7 +8,7 @@ struct Light;
 struct Material;
 
 // What a scene has, counted at commit: of the materials that meshes show, not of those that are
-// merely described. What it has not is skipped whole (promise 3). The values are
+// merely described. What it has not is skipped whole (promise 3 of docs/design.md). The values are
 // those of RT_FEATURE_*.
 enum Feature : uint32_t {
     kTextures = 1u << 0,

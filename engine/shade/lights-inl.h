@@ -143,7 +143,7 @@ HWY_INLINE V3 multiply(const V3& a, const V3& b) {
     return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
 }
 
-// The rendering equation of the paper, section 3.2: ambient + diffuse + specular + emissive.
+// Arauna's model of shading (section 2): ambient + diffuse + specular + emissive.
 template <bool Specular, bool Emissive>
 HWY_ATTR void combine(const Surface& surface, const Illumination& light, const RayHits& hits,
                       const scene::Environment& environment, float* const radiance[3]) {

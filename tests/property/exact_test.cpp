@@ -1,4 +1,4 @@
-// Promise 1: every kernel gives the bits of brute force.
+// Promise 1 of docs/design.md: every kernel gives the bits of brute force.
 #include "support/adversaries.h"
 #include "support/brute_force.h"
 #include "support/world.h"

@@ -1,5 +1,6 @@
-// Promise 1 in a world that moves: rays through fixed, deforming and rigid meshes give the bits of
-// brute force, which tests every triangle of every mesh, rigid ones in their own space.
+// Promise 1 of docs/design.md in a world that moves: rays through fixed, deforming and rigid meshes
+// give the bits of brute force, which tests every triangle of every mesh, rigid ones in their own
+// space.
 #include "support/brute_force.h"
 #include "support/world.h"
 #include "trace/world/world.h"

@@ -1,5 +1,5 @@
-// Promise 1 for shapes: sweeps, overlaps and nearest points give the bits of brute force, through
-// every structure, on every instruction set, in worlds that move.
+// Promise 1 of docs/design.md for shapes: sweeps, overlaps and nearest points give the bits of
+// brute force, through every structure, on every instruction set, in worlds that move.
 //
 //     PEREGRINE_RAYS=N build/release/bin/shape_test       # N cases of each kind in a world
 //

@@ -335,13 +335,14 @@ static inline rt_mesh_desc rt_default_mesh_desc(void) {
  * 1e30 in magnitude, and triangles without area, are kept out of the snapshot and counted in the
  * commit report; the others keep their indices. Errors: INVALID_ARGUMENT (null or missing arrays, a
  * stride below an element, counts that do not match, an index out of range, which is named),
- * LIMIT (more than 2^27 triangles or 2^30 vertices), OUT_OF_MEMORY. */
+ * LIMIT (more than 2^27 triangles or 2^30 vertices), OUT_OF_MEMORY. All static meshes share one
+ * structure; the next commit builds it anew. */
 RT_EXPORT rt_result rt_add_static_mesh(rt_scene scene, const rt_mesh_desc* desc,
                                        rt_mesh* out_mesh) RT_NOEXCEPT;
 
-/* Adds a mesh whose vertices will move (rt_update_dynamic_mesh): a character, a flag. All of them
- * share one structure, which a commit builds anew if any of them changed, in a time that depends on
- * their triangles alone. Errors as above. */
+/* Adds a mesh whose vertices will move (rt_update_dynamic_mesh): a character, a flag. Each has a
+ * structure of its own. A commit builds it anew if this mesh was updated, in a time that depends on
+ * the triangles of this mesh alone. Errors as above. */
 RT_EXPORT rt_result rt_add_dynamic_mesh(rt_scene scene, const rt_mesh_desc* desc,
                                         rt_mesh* out_mesh) RT_NOEXCEPT;
 
@@ -477,7 +478,7 @@ enum {
     RT_STRUCTURE_AUTO = 0, /* what is fastest: the BVH */
     RT_STRUCTURE_BVH = 1,
     RT_STRUCTURE_KDTREE = 2,
-    RT_STRUCTURE_BIH = 3 /* builds quickly, takes little memory, traces one ray at a time */
+    RT_STRUCTURE_BIH = 3 /* builds quickly, traces one ray at a time */
 };
 
 /* How long to build for how much speed. The kd-tree has one quality, the BIH two: fast and the
@@ -494,7 +495,7 @@ enum {
  * one size. */
 typedef int32_t rt_memory;
 enum {
-    RT_MEMORY_FULL = 0,   /* what is fastest: the BVH takes 58 to 73 bytes a triangle in levels */
+    RT_MEMORY_FULL = 0,   /* what is fastest: the BVH takes 58 to 72 bytes a triangle in levels */
     RT_MEMORY_COMPACT = 1 /* the BVH in a good half of that; rays one by one pay most for it */
 };
 
@@ -549,7 +550,8 @@ typedef struct rt_commit_report {
     uint64_t tree_references; /* triangles in leaves, counted with repetition */
     uint32_t tree_max_depth;
     uint32_t tree_depth_limit; /* enforced by the builder */
-    double tree_sah_cost;      /* expected cost of a ray through the bounds, in triangle tests */
+    double tree_sah_cost;      /* expected cost of a ray through the bounds, in tests of a triangle
+                                  (BVH: of a block of four) */
     double build_ms;           /* wall time of the structure alone */
     double commit_ms;          /* wall time of the whole call */
     uint32_t light_count;
@@ -562,7 +564,7 @@ typedef struct rt_commit_report {
     uint32_t static_rebuilt;         /* 1: of `rebuilt`, the structure of the static meshes ... */
     uint32_t dynamic_rebuilt;        /* ... and that of a dynamic one: each has its own */
     uint32_t reserved;
-    double dynamic_build_ms; /* of the latter alone, each whenever it was built, added up */
+    double dynamic_build_ms; /* of the structures of all dynamic meshes, whenever they were built */
 } rt_commit_report;
 
 static inline rt_commit_report rt_default_commit_report(void) {
@@ -575,8 +577,12 @@ static inline rt_commit_report rt_default_commit_report(void) {
 /* Builds a snapshot of what is described and publishes it: every query and frame that begins after
  * the return sees it. Those that run on go on with the old one, which is freed later. On any
  * error the previous snapshot stays. desc and out_report may be null. Errors: INVALID_ARGUMENT (a
- * material names a removed texture), LIMIT (more than 2^27 triangles in all), OUT_OF_MEMORY,
- * CANCELLED. Thread safety: one describing thread at a time; queries and frames may run. */
+ * material names a removed texture), LIMIT (see below), OUT_OF_MEMORY, CANCELLED. Thread safety:
+ * one describing thread at a time; queries and frames may run.
+ *
+ * Limits: 2^27 triangles under one structure, which is all static meshes together, or one dynamic
+ * or rigid mesh; 2^32 - 2 triangles in all, those of a rigid mesh once for each instance; 2^20
+ * dynamic meshes, rigid meshes and instances that are not hidden. */
 RT_EXPORT rt_result rt_commit_scene(rt_scene scene, const rt_commit_desc* desc,
                                     rt_commit_report* out_report) RT_NOEXCEPT;
 
@@ -828,9 +834,9 @@ RT_EXPORT rt_result rt_resolve_hits(rt_scene scene, const rt_hit* hits, uint64_t
 /* ------------------------------------------------------------------------------------- shapes */
 
 /* Shapes meet triangles as surfaces, from both sides: a shape deep inside a closed mesh, away from
- * its triangles, meets nothing. Holes of masked materials are closed to shapes. `faces` chooses
- * triangles that a sweep runs against with their front (geometric normal against the direction) or
- * back; that have the centre of an overlapping shape, or the point, before or behind their plane.
+ * its triangles, meets nothing. Holes of masked materials are closed to shapes. What `faces` calls
+ * the front of a triangle: for a sweep, that the geometric normal points against the direction; for
+ * an overlap or a nearest point, that the shape's centre or the point is not behind its plane.
  *
  * Every answer is defined by one test of a shape and a triangle in double precision
  * (docs/queries.md has its error bound, far below 0.1 mm in a level of 100 m), rounded to float at
@@ -1017,9 +1023,9 @@ enum {
 
 /* Besides or instead of an image, a frame delivers what its primary rays see, as further planes of
  * height rows of width elements: any of depth, triangle_ids, mesh_ids and normals that is not null.
- * With `pixels` null nothing is shaded. A plane holds what rt_trace_query would say of the rays
- * from the camera through the pixels' centres, with RT_QUERY_ALPHA_TEST, where double_sided
- * materials are concerned; frames see through the backs of others. */
+ * With `pixels` null nothing is shaded. A plane holds what rt_trace_query with RT_QUERY_ALPHA_TEST
+ * would say of the rays from the camera through the pixels' centres, but that frames see through
+ * the backs of materials that are not double_sided. */
 typedef struct rt_frame_desc {
     uint32_t struct_size;
     rt_pixel_format format; /* RGBA8_SRGB, BGRA8_SRGB, RGBA16F or RGBA32F (these two linear) */

@@ -18,7 +18,7 @@ struct BuildOptions {
 
 // The bounding interval hierarchy of Waechter and Keller (EGSR 2006): objects are sorted in place,
 // none is cut. The planes come from a binned SAH over the cells that a ray will see rather than
-// from the paper's global heuristic. The tree depends on the triangles and the options alone, not
+// from their global heuristic. The tree depends on the triangles and the options alone, not
 // on the number of threads. Throws std::bad_alloc, or base::Error cancelled or limit.
 Tree build(std::span<const geometry::Triangle> triangles, const BuildOptions& options,
            base::Scheduler& scheduler, const base::Progress& progress, base::Memory* memory);

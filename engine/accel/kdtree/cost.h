@@ -6,8 +6,8 @@
 
 namespace peregrine::accel::kdtree {
 
-// The surface area heuristic (equations 1 and 2 of the paper), all times half the cell's area, so
-// that nothing is divided. In double: a cell's sides may be 1e30 or denormal floats.
+// The surface area heuristic (Wald and Havran 2006, equations 1 and 2), all times half the cell's
+// area, so that nothing is divided. In double: a cell's sides may be 1e30 or denormal floats.
 struct CostModel {
     double traversal;
     double intersection;

@@ -9,7 +9,7 @@
 
 namespace peregrine::accel::kdtree {
 
-// Splits a node's lists as in sections 4.2.1 to 4.2.3 of the paper: triangles of one side keep
+// Splits a node's lists (Wald and Havran 2006, sections 4.2.1 to 4.2.3): triangles of one side keep
 // their order, straddlers are clipped and merged in. One child takes the parent's place, where
 // its lists always fit; the other moves to memory of the caller's. Steps in order; calls of one
 // step may run at the same time.

@@ -19,9 +19,9 @@ struct Interior {
     bool contains(Event event) const { return event >= inside && event < outside; }
 };
 
-// Algorithm 4 of the paper, without its grouping by position: between the events of one position
-// the counts are merely too large, so that the group's true costs win. Calls
-// visit(plane, boundary, left, right) until it returns false.
+// Algorithm 4 of Wald and Havran 2006, without its grouping by position: between the events of one
+// position the counts are merely too large, so that the group's true costs win. Calls visit(plane,
+// boundary, left, right) until it returns false.
 template <class Visit>
 void sweep(std::span<const Event> events, uint32_t triangles, const Interior& interior,
            Visit&& visit) {
