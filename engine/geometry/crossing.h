@@ -2,8 +2,8 @@
 
 #include "geometry/intersect.h"
 
-// Which of the triangles that a ray hits it crosses: where it goes from one side of a surface to
-// the other, exactly one.
+// Which of the triangles that a ray hits it also crosses. Where the ray goes from one side of a
+// surface to the other, it crosses exactly one.
 //
 // A ray through a shared edge hits both triangles (that is what makes them watertight), one through
 // a vertex all of those around it. To follow a ray in and out of closed surfaces, it is moved by an

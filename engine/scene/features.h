@@ -7,9 +7,9 @@ namespace peregrine::scene {
 struct Light;
 struct Material;
 
-// What a scene has, counted at commit: of the materials that meshes show, not of those that are
-// merely described. What it has not is skipped whole (promise 3 of docs/design.md). The values are
-// those of RT_FEATURE_*.
+// What a scene has, found at commit. Materials count if a mesh shows them, not if they are merely
+// described. Work for a feature that is absent is left out (promise 3 of docs/design.md). The
+// values are those of RT_FEATURE_*.
 enum Feature : uint32_t {
     kTextures = 1u << 0,
     kNormalMaps = 1u << 1,

@@ -9,7 +9,7 @@
 
 namespace peregrine::scene {
 
-// What of a mesh does not move with its vertices. Optional arrays are empty.
+// What stays of a mesh when its vertices move. Optional arrays are empty.
 struct MeshSurface {
     explicit MeshSurface(base::Memory* memory)
         : triangles(memory), texcoords(memory), texcoords1(memory), materials(memory) {}

@@ -20,7 +20,7 @@ struct Counters {
     }
 };
 
-// Whoever wants to see what a ray meets: for questions that the kernels for closest and any hits do
+// Sees every triangle that a ray meets: for questions that the kernels for closest and any hits do
 // not answer.
 class Visitor {
 public:
@@ -31,7 +31,7 @@ public:
     Visitor& operator=(const Visitor&) = delete;
 
     // The ray hits, or crosses, a triangle of the target; in any order, and a triangle may come
-    // more than once. Returns up to which t there is anything left to see, which never grows.
+    // more than once. Returns the t up to which more is to be seen; it never grows.
     virtual float see(uint32_t triangle, const geometry::TriangleHit& hit) = 0;
 
     bool wants_crossings() const { return crossings_; }

@@ -555,14 +555,14 @@ typedef struct rt_commit_report {
     double build_ms;           /* wall time of the structure alone */
     double commit_ms;          /* wall time of the whole call */
     uint32_t light_count;
-    uint32_t rebuilt;                /* 0: no structure of a static or dynamic mesh was built */
+    uint32_t rebuilt;                /* 1: static_rebuilt or dynamic_rebuilt is 1 */
     rt_structure structure;          /* of the static meshes; never AUTO */
     rt_build_quality quality;        /* as asked for */
     uint64_t dynamic_triangle_count; /* of triangle_count: of dynamic meshes ... */
     uint64_t rigid_triangle_count;   /* ... and of rigid ones */
     uint32_t instance_count;         /* rigid meshes and instances that are not hidden */
-    uint32_t static_rebuilt;         /* 1: of `rebuilt`, the structure of the static meshes ... */
-    uint32_t dynamic_rebuilt;        /* ... and that of a dynamic one: each has its own */
+    uint32_t static_rebuilt;         /* 1: the structure of the static meshes was built */
+    uint32_t dynamic_rebuilt;        /* 1: the structure of a dynamic mesh was built */
     uint32_t reserved;
     double dynamic_build_ms; /* of the structures of all dynamic meshes, whenever they were built */
 } rt_commit_report;

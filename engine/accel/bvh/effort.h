@@ -4,9 +4,9 @@
 
 namespace peregrine::accel::bvh {
 
-// What an overlap of siblings must have to be worth a look for a spatial split: of the root's area,
-// this by the square root of the number of triangles, and of their parent's. Found by trial: less
-// costs time and duplicates for no gain.
+// A spatial split is tried where the overlap of siblings is larger than both of these: a part of
+// the root's area, the first over the square root of the number of triangles; and a part of their
+// parent's area, the second. Found by trial: less costs time and duplicates for no gain.
 inline constexpr float kOverlapOfRoot = 1;
 inline constexpr float kOverlapOfNode = 0.1f;
 

@@ -19,8 +19,8 @@ struct Split {
     bool found() const { return cost < std::numeric_limits<float>::infinity(); }
 };
 
-// What the heuristic counts for a child. Begun blocks alone would have it fill blocks at any price,
-// while leaves can still be joined later.
+// The cost of a child. If it were the number of begun blocks, splits would fill blocks at any
+// price, although leaves can still be joined later.
 inline float blocks_of(uint32_t count) {
     return 0.75f * float((count + 3) / 4) + 0.0625f * float(count);
 }
