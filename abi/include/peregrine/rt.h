@@ -17,8 +17,8 @@
  *
  * Threads: calls that describe or commit one scene are the host's to serialise. Queries and frames
  * run at any time, from any thread, also while the scene is described or committed; each call
- * works on the snapshot that was current when it began. rt_destroy_scene must not overlap with
- * any other call on that scene. Different scenes never interfere.
+ * works on the snapshot that was current when it began, or on a held one. rt_destroy_scene must not
+ * overlap with any other call on that scene. Different scenes never interfere.
  *
  * Errors: every call that can fail returns an rt_result. RT_OK is 0. After anything else, the
  * state is as it was before the call, no output was written, and rt_get_last_error() gives this
