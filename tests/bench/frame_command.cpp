@@ -1,6 +1,5 @@
 // Frames of all looks beside the primary rays of a peer, in turns.
 #include "commands.h"
-#include "frame_look.h"
 #include "frame_peer.h"
 #include "frame_stage.h"
 #include "frame_table.h"
@@ -43,7 +42,7 @@ public:
           size_(parse_image_size(options.frame_size)), memory_(size_.width, size_.height) {
         report("building");
         for (const std::string& look : options.looks)
-            entrants_.push_back({look_of(look), make_stage(look_of(look))});
+            entrants_.push_back({test::look_of(look), make_stage(test::look_of(look))});
         if (options.peers.empty()) return;
         peer_.emplace(options.peers, standing_triangles(level_), views_, size_, runner,
                       options.threads);
@@ -94,7 +93,7 @@ private:
                 entrant.pass += frame.seconds;
                 entrant.rays_primary += double(frame.stats.rays_primary);
                 entrant.rays_shadow += double(frame.stats.rays_shadow);
-                entrant.proofs = count_proofs(frame.stats, entrant.stage->report());
+                entrant.proofs = test::count_proofs(frame.stats, entrant.stage->report());
             }
             if (peer_) peer_->run(view);
         }
@@ -121,7 +120,7 @@ private:
         const auto views = double(views_.size());
         FrameRow row;
         row.scene = name_;
-        row.look = name_of(entrant.look);
+        row.look = test::name_of(entrant.look);
         row.triangles = level_.triangle_count();
         row.threads = options_.threads;
         row.size = size_.text();

@@ -2,6 +2,7 @@
 
 #include "timing.h"
 
+#include "animation/player.h"
 #include "cameras.h"
 #include "upload.h"
 
@@ -20,7 +21,8 @@ FrameStage::FrameStage(const rt_api& api, const host::Level& level, uint32_t thr
     : stage_(api, threads, RT_ISA_BEST), report_(rt_default_commit_report()) {
     host::Player player(stage_, level, host::upload_level(stage_, level, kAmbient));
     player.describe(0);
-    const rt_commit_desc commit = describe_commit(look);
+    rt_commit_desc commit = rt_default_commit_desc();
+    test::set_options(look, commit);
     stage_.check(api.commit_scene(stage_.scene(), &commit, &report_), "building the scene");
 }
 
@@ -33,7 +35,7 @@ RenderedFrame FrameStage::render(Look look, const host::Viewpoint& view,
         camera.forward[k] = view.forward[k];
         camera.up[k] = view.up[k];
     }
-    const rt_frame_desc desc = describe_frame(look, memory);
+    const rt_frame_desc desc = memory.frame(look);
     RenderedFrame frame{rt_default_frame_stats(), {}};
     const Seconds start = Seconds::now();
     const rt_result result =

@@ -1,12 +1,15 @@
 #pragma once
 
-#include "frame_look.h"
 #include "level.h"
 #include "stage.h"
+#include "support/frame_look.h"
 
-#include "animation/player.h"
+#include <vector>
 
 namespace peregrine::bench {
+
+using test::FrameMemory;
+using test::Look;
 
 // Processor time of the whole process, and time on the wall, in seconds.
 struct Seconds {

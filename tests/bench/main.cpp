@@ -1,7 +1,7 @@
 // peregrine_bench: the figures of README.md and docs/, measured again.
 #include "commands.h"
-#include "frame_look.h"
 
+#include "support/frame_look.h"
 #include "support/world.h"
 
 #include <CLI/CLI.hpp>
@@ -95,7 +95,8 @@ void add_trace_options(CLI::App& trace, Options& options) {
 }
 
 void add_frame_options(CLI::App& frame, Options& options) {
-    options.looks = peregrine::bench::look_names();
+    options.looks.assign(std::begin(peregrine::test::kLookNames),
+                         std::end(peregrine::test::kLookNames));
     frame
         .add_option("--look", options.looks,
                     "visibility (depth and ids), direct (shaded, by default) or exact (shaded, "
