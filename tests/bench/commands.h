@@ -13,6 +13,9 @@ struct Options {
     uint32_t threads = 1;
     uint32_t passes = 5;
     uint32_t size = 1024;
+    std::string frame_size = "1024x1024";
+    std::vector<std::string> looks; // of frames
+    uint32_t first_passes = 3;      // of passes, how many measure first frames as well
     std::vector<std::string> rays;  // letters of trace_rays.h
     std::vector<std::string> modes; // of ours; none: all
     std::string structure = "auto";

@@ -1,6 +1,7 @@
 // peregrine_bench: the figures of README.md and docs/, measured again.
 #include "commands.h"
 
+#include "support/frame_look.h"
 #include "support/world.h"
 
 #include <CLI/CLI.hpp>
@@ -93,6 +94,30 @@ void add_trace_options(CLI::App& trace, Options& options) {
         ->check(CLI::Range(16, 4096));
 }
 
+void add_frame_options(CLI::App& frame, Options& options) {
+    options.looks.assign(std::begin(peregrine::test::kLookNames),
+                         std::end(peregrine::test::kLookNames));
+    frame
+        .add_option("--look", options.looks,
+                    "visibility (depth and ids), direct (shaded, by default) or exact (shaded, "
+                    "nothing approximated); default: all")
+        ->delimiter(',')
+        ->check(CLI::IsMember(options.looks));
+    frame
+        .add_option("--peer", options.peers,
+                    "Peers, of which the fastest mode counts: embree, embree-avx2 (kept from using "
+                    "AVX-512)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"embree", "embree-avx2"}));
+    frame.add_option("--size", options.frame_size, "Width and height, as 1280x720")
+        ->capture_default_str();
+    frame
+        .add_option(
+            "--first-passes", options.first_passes,
+            "In how many passes, at most, first frames are measured: each takes a new scene")
+        ->capture_default_str();
+}
+
 void add_query_options(CLI::App& queries, Options& options) {
     options.items = peregrine::bench::query_item_names();
     queries.footer(peregrine::bench::query_item_legend());
@@ -148,7 +173,7 @@ int run(int argc, char** argv) {
         ->add_option("--empty-bonus", options.empty_bonus,
                      "SAH cost of a split that cuts off empty space: times 1 - this")
         ->check(CLI::Range(0.0, 1.0));
-    frame->add_option("--size", options.size, "Width and height")->capture_default_str();
+    add_frame_options(*frame, options);
     for (CLI::App* command : {frame, door, trace, moving, queries, grenade})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");

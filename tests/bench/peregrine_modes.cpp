@@ -124,8 +124,8 @@ Answer answer_array(const RaySet& set, const Results& results, size_t ray) {
 
 // The rays of P are the renderer's own. Planes lie one view after the other.
 void trace_frames(const DoorJob& job) {
-    const uint32_t size = job.set.image_size;
-    const size_t pixels = size_t(size) * size;
+    const uint32_t width = job.set.image_width, height = job.set.image_height;
+    const size_t pixels = size_t(width) * height;
     for (size_t view = job.first / pixels; view * pixels < job.first + job.count; ++view) {
         const host::Viewpoint& point = job.set.views[view];
         rt_camera camera = rt_default_camera();
@@ -136,7 +136,8 @@ void trace_frames(const DoorJob& job) {
             camera.up[k] = point.up[k];
         }
         rt_frame_desc frame = rt_default_frame_desc();
-        frame.width = frame.height = size;
+        frame.width = width;
+        frame.height = height;
         frame.depth = job.results.t.data() + view * pixels;
         frame.triangle_ids = job.results.triangle.data() + view * pixels;
         frame.mesh_ids = job.results.meshes.data() + view * pixels;

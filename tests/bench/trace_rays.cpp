@@ -1,13 +1,12 @@
 #include "trace_rays.h"
 
-#include "render/camera.h"
+#include "primary_rays.h"
 #include "render/tile.h"
 #include "sampling.h"
 #include "tracer.h"
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 
 namespace peregrine::bench {
@@ -54,25 +53,8 @@ RaySet close_batch(RaySet set) {
 } // namespace
 
 RayMaker::RayMaker(const TraceScene& scene, const Tracer& exact, uint32_t image_size)
-    : scene_(scene), exact_(exact), primary_(empty_set('P', false)) {
-    primary_.common_origin = true;
-    primary_.views = scene.cameras;
-    primary_.image_size = image_size;
-    const auto tile = std::make_unique<render::Tile>();
-    for (const host::Viewpoint& view : scene.cameras) {
-        const render::Pinhole pinhole({view.vertical_fov, view.position, view.forward, view.up},
-                                      image_size, image_size);
-        const size_t first_pixel = primary_.rays.size();
-        for (uint32_t i = 0; i < render::Tile::tile_count(image_size, image_size); ++i) {
-            tile->place(i, image_size, image_size);
-            for (uint32_t k = 0; k < tile->count; ++k) {
-                const uint32_t x = tile->x0 + tile->x[k], y = tile->y0 + tile->y[k];
-                primary_.rays.push_back(pinhole.primary(x, y));
-                primary_.pixels.push_back(first_pixel + size_t(y) * image_size + x);
-            }
-        }
-        primary_.batches.push_back(primary_.rays.size());
-    }
+    : scene_(scene), exact_(exact),
+      primary_(make_primary_rays(scene.cameras, image_size, image_size)) {
     trace_primary();
 }
 

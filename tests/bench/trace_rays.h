@@ -20,10 +20,10 @@ struct RaySet {
     std::vector<math::Ray> rays;
     std::vector<size_t> batches; // where each begins, and the end of the last
 
-    // Of primary rays: batch i is the whole image of view i, image_size pixels wide and high, in
-    // tiles of 32x32 row by row, each in Morton order, as render::Tile orders them.
+    // Of primary rays: batch i is the whole image of view i, in tiles of 32x32 row by row, each in
+    // Morton order, as render::Tile orders them.
     std::vector<host::Viewpoint> views;
-    uint32_t image_size = 0;
+    uint32_t image_width = 0, image_height = 0;
     std::vector<size_t> pixels; // where a ray's pixel is, image after image, row by row
 };
 

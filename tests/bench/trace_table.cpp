@@ -1,5 +1,7 @@
 #include "trace_table.h"
 
+#include "means.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -39,24 +41,6 @@ std::vector<TraceRow> with_best_of_ours(const std::vector<TraceRow>& rows) {
         best, {}, [](const TraceRow& row) { return std::string_view("PSADRLN").find(row.rays); });
     return best;
 }
-
-// The others are models: of them a frame shows one thing in an empty room.
-bool is_level(const std::string& scene) {
-    return scene != "teapots" && scene.rfind("dragon", 0) != 0;
-}
-
-struct Mean {
-    double sum = 0;
-    size_t count = 0;
-
-    void add(double value) {
-        sum += std::log(value);
-        ++count;
-    }
-    double value() const {
-        return count ? std::exp(sum / double(count)) : std::numeric_limits<double>::quiet_NaN();
-    }
-};
 
 struct Summary {
     explicit Summary(const TraceRow& row) : first(row) {}

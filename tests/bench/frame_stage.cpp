@@ -1,0 +1,63 @@
+#include "frame_stage.h"
+
+#include "timing.h"
+
+#include "animation/player.h"
+#include "cameras.h"
+#include "upload.h"
+
+namespace peregrine::bench {
+namespace {
+
+constexpr float kAmbient = 0.1f;
+
+} // namespace
+
+Seconds Seconds::now() {
+    return {process_seconds(), wall_seconds()};
+}
+
+FrameStage::FrameStage(const rt_api& api, const host::Level& level, uint32_t threads, Look look)
+    : stage_(api, threads, RT_ISA_BEST), report_(rt_default_commit_report()) {
+    host::Player player(stage_, level, host::upload_level(stage_, level, kAmbient));
+    player.describe(0);
+    rt_commit_desc commit = rt_default_commit_desc();
+    test::set_options(look, commit);
+    stage_.check(api.commit_scene(stage_.scene(), &commit, &report_), "building the scene");
+}
+
+RenderedFrame FrameStage::render(Look look, const host::Viewpoint& view,
+                                 FrameMemory& memory) const {
+    rt_camera camera = rt_default_camera();
+    camera.vertical_fov = view.vertical_fov;
+    for (int k = 0; k < 3; ++k) {
+        camera.position[k] = view.position[k];
+        camera.forward[k] = view.forward[k];
+        camera.up[k] = view.up[k];
+    }
+    const rt_frame_desc desc = memory.frame(look);
+    RenderedFrame frame{rt_default_frame_stats(), {}};
+    const Seconds start = Seconds::now();
+    const rt_result result =
+        stage_.api().render_frame(stage_.scene(), &camera, &desc, &frame.stats);
+    frame.seconds = Seconds::now() - start;
+    stage_.check(result, "rendering a frame");
+    return frame;
+}
+
+std::vector<host::Viewpoint> standing_cameras(const host::Level& level) {
+    host::Pose pose(level.rig);
+    pose.set(0);
+    std::vector<host::Viewpoint> cameras = host::usable_cameras(level);
+    for (host::Viewpoint& camera : cameras) {
+        if (camera.node == host::no_index) continue;
+        const auto place = host::look_along(pose.world(camera.node));
+        if (!place) continue;
+        camera.position = place->position;
+        camera.forward = place->forward;
+        camera.up = place->up;
+    }
+    return cameras;
+}
+
+} // namespace peregrine::bench

@@ -1,0 +1,250 @@
+// Frames that stay as they are, bit for bit: with every instruction set and number of threads.
+#include "feature_scene.h"
+#include "golden.h"
+#include "support/frame_look.h"
+
+#include "animation/player.h"
+#include "cameras.h"
+#include "gltf/import.h"
+#include "upload.h"
+
+#include <cstring>
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace peregrine::test {
+namespace {
+
+constexpr glm::dvec3 kFarAway(12345678.25, 1500.5, -7654321.75);
+
+struct Variant {
+    const char* name;
+    rt_isa isa;
+    uint32_t threads;
+};
+// Those that this processor may have.
+constexpr Variant kVariants[] = {
+    {"scalar", RT_ISA_SCALAR, 1},
+    {"scalar_3_threads", RT_ISA_SCALAR, 3},
+#if defined(__aarch64__)
+    {"neon", RT_ISA_NEON, 1},
+    {"neon_3_threads", RT_ISA_NEON, 3},
+#else
+    {"sse4", RT_ISA_SSE4, 1},     {"sse4_3_threads", RT_ISA_SSE4, 3},
+    {"avx2", RT_ISA_AVX2, 1},     {"avx2_3_threads", RT_ISA_AVX2, 3},
+    {"avx512", RT_ISA_AVX512, 1}, {"avx512_3_threads", RT_ISA_AVX512, 3},
+#endif
+};
+
+void PrintTo(const Variant& variant, std::ostream* out) {
+    *out << variant.name;
+}
+
+bool machine_has(rt_isa isa) {
+    rt_scene_desc desc = rt_default_scene_desc();
+    desc.isa = isa;
+    rt_scene scene;
+    if (rt_create_scene(&desc, &scene) != RT_OK) return false;
+    rt_destroy_scene(scene);
+    return true;
+}
+
+rt_frame_desc frame_of(uint32_t width, uint32_t height,
+                       rt_pixel_format format = RT_FORMAT_RGBA8_SRGB) {
+    rt_frame_desc frame = rt_default_frame_desc();
+    frame.width = width;
+    frame.height = height;
+    frame.format = format;
+    set_options(Look::exact, frame);
+    return frame;
+}
+
+Picture blank(const rt_frame_desc& frame, uint32_t units) {
+    const size_t bytes = size_t(frame.width) * frame.height * units * 4;
+    return {frame.width, frame.height, units, std::vector<uint8_t>(bytes, 0xcd)};
+}
+
+void render(const host::Stage& stage, const rt_camera& camera, const rt_frame_desc& frame) {
+    stage.check(stage.api().render_frame(stage.scene(), &camera, &frame, nullptr),
+                "rendering a frame");
+}
+
+void expect_pixels(const std::string& name, const std::string& how, const host::Stage& stage,
+                   const rt_camera& camera, rt_frame_desc frame) {
+    Picture picture = blank(frame, frame.format == RT_FORMAT_RGBA32F   ? 4
+                                   : frame.format == RT_FORMAT_RGBA16F ? 2
+                                                                       : 1);
+    frame.pixels = picture.bytes.data();
+    render(stage, camera, frame);
+    expect_golden(name, how, picture);
+}
+
+// The planes by themselves.
+void expect_planes(const std::string& name, const std::string& how, const host::Stage& stage,
+                   const rt_camera& camera, rt_frame_desc frame) {
+    Picture depth = blank(frame, 1), triangles = blank(frame, 1), meshes = blank(frame, 2),
+            normals = blank(frame, 3);
+    // Vectors of bytes are aligned for any of these.
+    frame.depth = reinterpret_cast<float*>(depth.bytes.data());
+    frame.triangle_ids = reinterpret_cast<uint32_t*>(triangles.bytes.data());
+    frame.mesh_ids = reinterpret_cast<rt_mesh*>(meshes.bytes.data());
+    frame.normals = reinterpret_cast<float*>(normals.bytes.data());
+    render(stage, camera, frame);
+    expect_golden(name + "_depth", how, depth);
+    expect_golden(name + "_triangle_ids", how, triangles);
+    expect_golden(name + "_normals", how, normals);
+    // Of a handle only the index is the same in every scene.
+    Picture mesh_ids = blank(frame, 1);
+    for (size_t i = 0; i < meshes.bytes.size() / 8; ++i)
+        std::memcpy(&mesh_ids.bytes[4 * i], &meshes.bytes[8 * i], 4);
+    expect_golden(name + "_mesh_ids", how, mesh_ids);
+}
+
+rt_camera camera_of(const host::Viewpoint& view) {
+    rt_camera camera = rt_default_camera();
+    camera.vertical_fov = view.vertical_fov;
+    for (int k = 0; k < 3; ++k) {
+        camera.position[k] = view.position[k];
+        camera.forward[k] = view.forward[k];
+        camera.up[k] = view.up[k];
+    }
+    return camera;
+}
+
+class Pictures : public testing::TestWithParam<Variant> {
+protected:
+    void SetUp() override {
+        if (!machine_has(GetParam().isa)) GTEST_SKIP() << "this machine has no " << how();
+        stage_ = std::make_unique<host::Stage>(*rt_get_api(RT_API_VERSION), GetParam().threads,
+                                               GetParam().isa);
+    }
+
+    std::string how() const { return GetParam().name; }
+    void commit() {
+        rt_commit_desc desc = rt_default_commit_desc();
+        set_options(Look::exact, desc);
+        stage_->check(stage_->api().commit_scene(stage_->scene(), &desc, nullptr), "building");
+    }
+
+    void expect(const std::string& name, const rt_camera& camera, const rt_frame_desc& frame) {
+        expect_pixels(name, how(), *stage_, camera, frame);
+    }
+
+    std::unique_ptr<host::Stage> stage_;
+};
+
+TEST_P(Pictures, Features) {
+    const FeatureScene scene(*stage_, {});
+    commit();
+    expect("features", scene.camera(), frame_of(320, 180));
+    expect("features_side", scene.camera_from_the_side(), frame_of(161, 91));
+    rt_frame_desc frame = frame_of(160, 90, RT_FORMAT_BGRA8_SRGB);
+    frame.no_shadows = 1;
+    frame.tone_mapping = RT_TONE_CLAMP;
+    frame.exposure = 0.7f;
+    expect("features_bgra_no_shadows", scene.camera(), frame);
+    frame = frame_of(96, 54, RT_FORMAT_RGBA16F);
+    expect("features_half", scene.camera(), frame);
+    frame = frame_of(96, 54, RT_FORMAT_RGBA32F);
+    frame.tone_mapping = RT_TONE_NONE;
+    expect("features_float", scene.camera(), frame);
+}
+
+TEST_P(Pictures, Views) {
+    const FeatureScene scene(*stage_, {});
+    commit();
+    rt_frame_desc frame = frame_of(160, 90);
+    frame.view = RT_VIEW_NORMALS;
+    expect("view_normals", scene.camera(), frame);
+    frame.view = RT_VIEW_DEPTH;
+    frame.depth_range = 14;
+    expect("view_depth", scene.camera(), frame);
+    frame.view = RT_VIEW_STEPS;
+    frame.steps_range = 30;
+    // How a ray goes through the tree is the one thing that kernels may differ in.
+    expect(GetParam().isa == RT_ISA_SCALAR ? "view_steps_scalar" : "view_steps", scene.camera(),
+           frame);
+}
+
+TEST_P(Pictures, Planes) {
+    const FeatureScene scene(*stage_, {});
+    commit();
+    expect_planes("plane", how(), *stage_, scene.camera(), frame_of(96, 54));
+}
+
+TEST_P(Pictures, Moved) {
+    FeatureScene scene(*stage_, {});
+    commit();
+    scene.move();
+    commit();
+    expect("moved", scene.camera(), frame_of(160, 90));
+}
+
+TEST_P(Pictures, FarAway) {
+    FeatureScene scene(*stage_, kFarAway);
+    commit();
+    expect("far_away", scene.camera(), frame_of(160, 90));
+    scene.move();
+    commit();
+    expect("far_away_moved", scene.camera(), frame_of(160, 90));
+}
+
+TEST_P(Pictures, Hall) {
+    const host::Level level = host::gltf::import_file(PEREGRINE_CONTENT "/hall.glb");
+    host::upload_level(*stage_, level, 0.1f);
+    commit();
+    const auto camera = [&](const char* name) {
+        return camera_of(level.cameras[host::find_camera(level.cameras, name)]);
+    };
+    expect("hall", camera("cam_hero"), frame_of(240, 135));
+    expect("hall_library", camera("cam_library"), frame_of(128, 72));
+    expect("hall_courtyard", camera("cam_courtyard"), frame_of(128, 72));
+}
+
+TEST_P(Pictures, Mill) {
+    const host::Level level = host::gltf::import_file(PEREGRINE_CONTENT "/mill.glb");
+    host::Player player(*stage_, level, host::upload_level(*stage_, level, 0.1f));
+    player.describe(0);
+    commit();
+    player.describe(1.75);
+    commit();
+    expect("mill", camera_of(player.follow(level.cameras[0])), frame_of(240, 135));
+}
+
+INSTANTIATE_TEST_SUITE_P(By, Pictures, testing::ValuesIn(kVariants),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+// What a commit can be asked for changes speed and memory, not a pixel.
+TEST(PicturesOfStructures, AreTheSame) {
+    constexpr struct {
+        const char* name;
+        rt_structure structure;
+        rt_build_quality quality;
+        rt_memory memory;
+    } kChoices[] = {
+        {"kdtree", RT_STRUCTURE_KDTREE, RT_BUILD_BALANCED, RT_MEMORY_FULL},
+        {"bih", RT_STRUCTURE_BIH, RT_BUILD_BALANCED, RT_MEMORY_FULL},
+        {"compact", RT_STRUCTURE_BVH, RT_BUILD_BALANCED, RT_MEMORY_COMPACT},
+        {"fast", RT_STRUCTURE_BVH, RT_BUILD_FAST, RT_MEMORY_FULL},
+        {"best", RT_STRUCTURE_BVH, RT_BUILD_BEST, RT_MEMORY_FULL},
+    };
+    for (const auto& [name, structure, quality, memory] : kChoices) {
+        // In a new scene, so that nothing is left of the structure before.
+        host::Stage stage(*rt_get_api(RT_API_VERSION), 1, RT_ISA_BEST);
+        const FeatureScene scene(stage, {});
+        rt_commit_desc commit = rt_default_commit_desc();
+        set_options(Look::exact, commit);
+        commit.structure = structure;
+        commit.quality = quality;
+        commit.memory = memory;
+        stage.check(stage.api().commit_scene(stage.scene(), &commit, nullptr), "building");
+        expect_pixels("features", name, stage, scene.camera(), frame_of(320, 180));
+        expect_planes("plane", name, stage, scene.camera(), frame_of(96, 54));
+    }
+}
+
+} // namespace
+} // namespace peregrine::test

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <peregrine/rt.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace peregrine::test {
+
+// What a frame is asked for.
+enum class Look {
+    visibility, // depth and ids, no pixels
+    direct,     // shaded, as rt_default_frame_desc() and rt_default_commit_desc() have it
+    exact,      // shaded, without any approximation
+};
+inline constexpr const char* kLookNames[] = {"visibility", "direct", "exact"};
+
+inline const char* name_of(Look look) {
+    return kLookNames[int(look)];
+}
+
+// Throws for what is no look's name.
+inline Look look_of(const std::string& name) {
+    const auto place = std::find(std::begin(kLookNames), std::end(kLookNames), name);
+    if (place == std::end(kLookNames)) throw std::runtime_error("unknown look: " + name);
+    return Look(place - std::begin(kLookNames));
+}
+
+// The one place that knows by which options looks differ: those of a frame, those of a commit, and
+// where it is told how many answers for whole patches these two have proved.
+inline void set_options(Look, rt_frame_desc&) {
+    // No frame approximates yet: Look::exact would have every option at exact here.
+}
+inline void set_options(Look, rt_commit_desc&) {}
+inline uint64_t count_proofs(const rt_frame_stats&, const rt_commit_report&) {
+    return 0; // nothing is proved yet
+}
+
+// Where frames of all looks go.
+struct FrameMemory {
+    FrameMemory(uint32_t w, uint32_t h)
+        : width(w), height(h), pixels(size_t(w) * h * 4), depth(size_t(w) * h),
+          triangles(size_t(w) * h), meshes(size_t(w) * h) {}
+
+    rt_frame_desc frame(Look look) {
+        rt_frame_desc frame = rt_default_frame_desc();
+        frame.width = width;
+        frame.height = height;
+        set_options(look, frame);
+        if (look == Look::visibility) {
+            frame.depth = depth.data();
+            frame.triangle_ids = triangles.data();
+            frame.mesh_ids = meshes.data();
+        } else {
+            frame.pixels = pixels.data();
+        }
+        return frame;
+    }
+
+    uint32_t width, height;
+    std::vector<uint8_t> pixels; // RGBA, sRGB
+    std::vector<float> depth;
+    std::vector<uint32_t> triangles;
+    std::vector<rt_mesh> meshes;
+};
+
+} // namespace peregrine::test
