@@ -9,7 +9,7 @@
 namespace peregrine::three_cores {
 namespace {
 
-constexpr double kHalf = 0.6;   // lux that make half of it
+constexpr double kHalf = 0.9;   // lux that make half of it
 constexpr double kSunWay = 500; // m
 
 // What would fall on a place if nothing were between, as frames show it: rt.h has the formulas at
