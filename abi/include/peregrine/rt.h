@@ -424,10 +424,10 @@ enum { RT_LIGHT_POINT = 0, RT_LIGHT_SPOT = 1, RT_LIGHT_DIRECTIONAL = 2 };
  * E = intensity times that cosine everywhere. Of E, and of the ambient radiance L of the
  * environment, a matt surface of reflectance rho sends out the radiance rho * (L + E / pi).
  *
- * An inverse square is what candela mean: 3 cd light a wall at 1 m by 3 lux. Values nearer than
- * sqrt(intensity / 1e20) are those of there, or darker. The other three are Arauna's, within the
- * factor that is given of 1 / d^2 for x from 0.1 to 0.8, finite at d = 0, and far too dark nearer:
- * their candela depend on the radius. docs/light.md has the table. */
+ * An inverse square is what candela mean: 3 cd light a wall at 1 m by 3 lux. It stops
+ * growing at 1e20 lux. The other three are Arauna's. For x from 0.1 to 0.8 they are within a
+ * factor, given below, of 1 / d^2; nearer they are far too dark. Their candela depend on the
+ * radius. docs/light.md has the table. */
 typedef int32_t rt_falloff;
 enum {
     RT_FALLOFF_SCHLICK_LINEAR = 0, /* 93.01 (1 - x)^2 / (1 + 4.47 x) / R^2: factor 1.93. Of hosts
