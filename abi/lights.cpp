@@ -4,6 +4,7 @@
 #include "scene_table.h"
 
 #include <cmath>
+#include <limits>
 
 namespace peregrine::abi {
 namespace {
@@ -18,17 +19,33 @@ void check_cone(const rt_light_desc& desc) {
                    double(inner), double(outer));
 }
 
+// Infinity means no end. The paper's fall-offs are functions of distance / radius and need one.
+void check_radius(const rt_light_desc& desc) {
+    const bool inverse_square = desc.falloff == RT_FALLOFF_WINDOWED_INVERSE_SQUARE
+                                || desc.falloff == RT_FALLOFF_INVERSE_SQUARE;
+    const bool directional = desc.type == RT_LIGHT_DIRECTIONAL;
+    if (desc.radius == std::numeric_limits<float>::infinity()) {
+        if (inverse_square || directional) return;
+        base::fail(base::Code::invalid_argument,
+                   "rt_light_desc.radius is infinite, but a falloff of %d needs an end",
+                   desc.falloff);
+    }
+    require_finite(desc.radius, "rt_light_desc.radius");
+    if (!directional) require_positive(desc.radius, "rt_light_desc.radius");
+}
+
 // NaN is refused in every field, ranges only where the type of light reads them.
 void check(const rt_light_desc& desc) {
     require_enum(desc.type, RT_LIGHT_DIRECTIONAL, "rt_light_desc.type");
     require_finite(std::span<const double>(desc.position), "rt_light_desc.position");
     require_finite(std::span<const float>(desc.direction), "rt_light_desc.direction");
-    require_finite(desc.radius, "rt_light_desc.radius");
     require_colour(desc.intensity, "rt_light_desc.intensity");
     require_finite(desc.cone_inner_cos, "rt_light_desc.cone_inner_cos");
     require_finite(desc.cone_outer_cos, "rt_light_desc.cone_outer_cos");
     require_flag(desc.casts_no_shadow, "rt_light_desc.casts_no_shadow");
-    if (desc.type != RT_LIGHT_DIRECTIONAL) require_positive(desc.radius, "rt_light_desc.radius");
+    require_enum(desc.falloff, RT_FALLOFF_INVERSE_SQUARE, "rt_light_desc.falloff");
+    require_zero(desc.reserved, "rt_light_desc.reserved");
+    check_radius(desc);
     if (desc.type != RT_LIGHT_POINT) require_direction(desc.direction, "rt_light_desc.direction");
     if (desc.type == RT_LIGHT_SPOT) check_cone(desc);
 }
@@ -48,6 +65,7 @@ scene::Light to_light(const rt_light_desc& desc) {
     light.position = {desc.position[0], desc.position[1], desc.position[2]};
     light.direction = unit(desc.direction);
     light.radius = desc.radius;
+    light.falloff = scene::Falloff(desc.falloff);
     light.intensity = {desc.intensity[0], desc.intensity[1], desc.intensity[2]};
     light.cone_inner_cos = desc.cone_inner_cos;
     light.cone_outer_cos = desc.cone_outer_cos;

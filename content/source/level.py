@@ -332,14 +332,14 @@ def grand_stair(scene: Scene) -> None:
         scene.put("newel", s * 1.88, LANDING, edge - 0.28)
         scene.put("newel", s * 6.62, GALLERY, side_front - 0.12)
         scene.put("brazier", s * 3.5, 0, foot + 0.2)
-        scene.light("brazier", s * 3.5, 1.62, foot + 0.2, FIRE, 20, 11)
+        scene.light("brazier", s * 3.5, 1.62, foot + 0.2, FIRE, 28, 11)
         scene.put("banner_red", s * 3.7, 6.1, NORTH)
     scene.put("armillary", 0, LANDING, -32.6)
-    for x, candela in ((0.0, 20.0), (-3.7, 9.0), (3.7, 9.0)):
+    for x, candela in ((0.0, 28.0), (-3.7, 12.5), (3.7, 12.5)):
         scene.light("stained_window", x, 8.4, NORTH + 1.6, MOON, candela, 13)
-    scene.light("ruby_glass", -1.5, 6.4, NORTH + 0.9, (1.0, 0.30, 0.20), 6, 6)
-    scene.light("amber_glass", 1.5, 6.4, NORTH + 0.9, (1.0, 0.72, 0.25), 6, 6)
-    scene.light("armillary", 0.0, LANDING + 0.5, -31.2, WARM, 7, 6)
+    scene.light("ruby_glass", -1.5, 6.4, NORTH + 0.9, (1.0, 0.30, 0.20), 8.5, 6)
+    scene.light("amber_glass", 1.5, 6.4, NORTH + 0.9, (1.0, 0.72, 0.25), 8.5, 6)
+    scene.light("armillary", 0.0, LANDING + 0.5, -31.2, WARM, 10, 6)
 
 
 def entrance_bridge(scene: Scene) -> None:
@@ -365,11 +365,11 @@ def entrance_bridge(scene: Scene) -> None:
         ring = arch.archivolt(1.55).transformed(place(3.9 * (k - 1), IMPOST, front, NORTH_FACING))
         room.add("trim", ring)
     scene.put("lantern", 0, SLAB, -2.0)
-    scene.light("entrance", 0, SLAB - 0.62, -2.0, WARM, 9, 8)
-    scene.light("rose_window", 0, 9.6, -1.3, MOON, 10, 10)
+    scene.light("entrance", 0, SLAB - 0.62, -2.0, WARM, 12.5, 8)
+    scene.light("rose_window", 0, 9.6, -1.3, MOON, 14, 10)
 
 
-def sconce(scene: Scene, x: float, y: float, z: float, yaw: float, candela=9.5, reach=7.5) -> None:
+def sconce(scene: Scene, x: float, y: float, z: float, yaw: float, candela=11.5, reach=7.5) -> None:
     scene.put("sconce", x, y, z, yaw)
     a = math.radians(yaw)
     scene.light(
@@ -380,11 +380,11 @@ def sconce(scene: Scene, x: float, y: float, z: float, yaw: float, candela=9.5, 
 def hall_fittings(scene: Scene) -> None:
     for z in (-8.0, -15.0, -22.0):
         scene.put("chandelier", 0, 8.6, z, 15)
-        scene.light("chandelier", 0, 9.2, z, WARM, 19, 14)
+        scene.light("chandelier", 0, 9.2, z, WARM, 27, 14)
     for s in (-1, 1):
         for z in (-11.0, -15.0, -19.0, -23.0):
             scene.put("torchere", s * 1.75, 0, z)
-            scene.light("torchere", s * 1.75, 2.02, z, FIRE, 6.5, 5.5)
+            scene.light("torchere", s * 1.75, 2.02, z, FIRE, 9, 5.5)
         for z in (-6.0, -14.0, -18.0, -26.0):
             sconce(scene, s * AISLE, 2.2, z, -s * 90.0)
         for z in (-8.0, -16.0, -26.0):
@@ -472,8 +472,8 @@ def cloister(scene: Scene, court: Model) -> None:
     court.add_model(arch.balustrade(1.45), place(front - 0.2, GALLERY, z0 + 2.15, -90))
     for z in (-12.0, -20.0):
         scene.put("lantern", 12.2, SLAB, z)
-        scene.light("cloister", 12.2, SLAB - 0.62, z, WARM, 10, 8)
-    sconce(scene, OUTER, GALLERY + 2.0, -16.0, 90.0, 9.0)
+        scene.light("cloister", 12.2, SLAB - 0.62, z, WARM, 14, 8)
+    sconce(scene, OUTER, GALLERY + 2.0, -16.0, 90.0, 11.0)
 
 
 def sky_dome(radius: float) -> Mesh:
@@ -503,15 +503,15 @@ def sky_dome(radius: float) -> Mesh:
 
 def court_fittings(scene: Scene) -> None:
     scene.put("fountain", 20.0, 0, -15.0)
-    scene.light("fountain", 20.0, 3.9, -13.6, MOON, 7, 8)
-    scene.light("moon", 22.5, 13.5, -12.0, MOON, 105, 30)
+    scene.light("fountain", 20.0, 3.9, -13.6, MOON, 10, 8)
+    scene.light("moon", 22.5, 13.5, -12.0, MOON, 160, 30)
     for x, z, yaw in (
         (16.0, COURT_SOUTH, 180),
         (22.5, COURT_SOUTH, 180),
         (COURT_EAST, -11.5, -90),
         (COURT_EAST, -20.5, -90),
     ):
-        sconce(scene, x, 2.5, z, yaw, 14.0, 9.0)
+        sconce(scene, x, 2.5, z, yaw, 17.0, 9.0)
     court = scene.room("courtyard")
     for x, y, z, yaw, width, height, seed in (
         (COURT_EAST, 0, -9.0, -90, 3.0, 5.2, 1), (COURT_EAST, 0, -23.5, -90, 3.6, 6.0, 2),
@@ -637,9 +637,9 @@ def service_stair(scene: Scene, room: Model) -> None:
 def store_fittings(scene: Scene) -> None:
     for z in (-8.0, -16.0, -24.0):
         scene.put("lantern", -12.2, SLAB, z)
-        scene.light("corridor", -12.2, SLAB - 0.62, z, WARM, 9, 8)
-    sconce(scene, -18.0, 2.2, COURT_SOUTH, 180, 12.0, 10.0)
-    sconce(scene, -14.0, 2.2, -22.0, -90, 12.0, 10.0)
+        scene.light("corridor", -12.2, SLAB - 0.62, z, WARM, 12.5, 8)
+    sconce(scene, -18.0, 2.2, COURT_SOUTH, 180, 15.0, 10.0)
+    sconce(scene, -14.0, 2.2, -22.0, -90, 15.0, 10.0)
     stacks = [(-22.2, -6.7, 5), (-21.2, -6.6, -8), (-22.1, -7.8, 17), (-14.7, -6.7, 0), (-14.7, -13.9, 30),
               (-16.0, -25.3, 10), (-17.1, -25.4, -5), (-14.8, -25.2, 40)]  # fmt: skip
     for x, z, yaw in stacks:
@@ -658,13 +658,13 @@ def store_fittings(scene: Scene) -> None:
     scene.put("table", -18.0, 0, -11.0, 15)
     scene.put("bench", -18.2, 0, -10.1, 15)
     scene.put("candle", -18.0, 0.8, -11.0)
-    scene.light("table", -18.0, 1.35, -11.0, WARM, 5, 7)
+    scene.light("table", -18.0, 1.35, -11.0, WARM, 7, 7)
 
 
 def library_fittings(scene: Scene) -> None:
     for z in (-11.0, -20.0):
         scene.put("small_chandelier", -15.8, 7.55, z)
-        scene.light("library", -15.8, 8.05, z, WARM, 20, 12)
+        scene.light("library", -15.8, 8.05, z, WARM, 28, 12)
         scene.put("table", -15.8, GALLERY, z, 90)
         scene.put("bench", -14.8, GALLERY, z, 90)
         scene.put("bench", -16.8, GALLERY, z, 90)
@@ -676,7 +676,7 @@ def library_fittings(scene: Scene) -> None:
     for z in (-13.0, -16.0, -19.0):
         scene.put("bookcase", -OUTER, GALLERY, z, -90)
     for z in (-10.0, -16.0, -22.0):
-        scene.light("library_window", WEST + 1.1, GALLERY + 2.4, z, MOON, 7, 8)
+        scene.light("library_window", WEST + 1.1, GALLERY + 2.4, z, MOON, 10, 8)
 
 
 # ------------------------------------------------------------------------------------ viewpoints

@@ -227,7 +227,7 @@ def lantern(scene: AnimatedScene) -> None:
     arm.add("iron", box(0.88, 3.02, 1.6, 0.94, 3.08, 3.5, 0.0))
     scene.nodes.append(Node("lantern_arm", "lantern_arm"))
     scene.prefabs["lantern"] = fit.lantern()
-    scene.light("lantern", 0, -0.62, 0, FIRE, 9.0, 9.0)
+    scene.light("lantern", 0, -0.62, 0, FIRE, 12.0, 9.0)
     hook = Node("lantern", "lantern", (0.91, 3.02, 3.4))
     hook.add(Node("lantern_light", translation=(0, -0.62, 0), light=0))
     scene.nodes.append(hook)

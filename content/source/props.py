@@ -55,9 +55,9 @@ def build() -> Scene:
 
 def stage(scene: Scene) -> None:
     scene.room("stage").add("slate", floor(-3, -4, 6, 3, 0), box(-0.6, 0, 1, 3.4, 3, 1.1))
-    scene.light("key", -0.6, 2.6, -1.6, (1.0, 0.9, 0.8), 9.0, 9.0)
-    scene.light("key", 2.6, 2.4, -1.2, (1.0, 0.9, 0.8), 6.0, 9.0)
-    scene.light("fill", 1.0, 0.4, -2.2, (0.5, 0.66, 1.0), 4.0, 9.0)
+    scene.light("key", -0.6, 2.6, -1.6, (1.0, 0.9, 0.8), 12.0, 9.0)
+    scene.light("key", 2.6, 2.4, -1.2, (1.0, 0.9, 0.8), 8.0, 9.0)
+    scene.light("fill", 1.0, 0.4, -2.2, (0.5, 0.66, 1.0), 5.0, 9.0)
     scene.camera("cam_drone", (-0.55, 1.35, -1.05), (0.0, HEIGHT, 0.0), 42)
     scene.camera("cam_side", (-1.0, 1.55, 0.45), (0.0, HEIGHT, 0.0), 42)
     scene.camera("cam_off", (0.8, 1.45, -1.1), (1.1, HEIGHT, 0.0), 42)

@@ -8,12 +8,23 @@ namespace peregrine::scene {
 
 enum class LightType : uint32_t { point = 0, spot = 1, directional = 2 };
 
+// Of points and spots, see shade/falloff.h. The values are those of RT_FALLOFF_*.
+enum class Falloff : uint32_t {
+    schlick_linear = 0,
+    linear = 1,
+    cosine_linear = 2,
+    windowed_inverse_square = 3,
+    inverse_square = 4,
+};
+inline constexpr uint32_t kFalloffCount = 5;
+
 struct Light {
     LightType type = LightType::point;
     math::Vec3d position{0};
     math::Vec3 direction{0, -1, 0}; // the way the light travels, unit length
-    float radius = 10;              // no light beyond
-    math::Vec3 intensity{1};        // candela, or lux if directional
+    float radius = 10;              // no light beyond; infinite: no end
+    Falloff falloff = Falloff::windowed_inverse_square;
+    math::Vec3 intensity{1}; // candela, or lux if directional
     float cone_inner_cos = 1;
     float cone_outer_cos = 0.70710678f;
     bool casts_shadow = true;

@@ -13,13 +13,32 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
+using scene::Falloff;
 using scene::LightType;
 
+template <LightType Type, Falloff Kind>
+constexpr std::array<WeighLight, 2> weigh_light_of() {
+    return {weigh_light<Type, Kind, false>, weigh_light<Type, Kind, true>};
+}
+
+template <LightType Type>
+constexpr WeighLights weigh_lights() {
+    return {weigh_light_of<Type, Falloff::schlick_linear>(),
+            weigh_light_of<Type, Falloff::linear>(), weigh_light_of<Type, Falloff::cosine_linear>(),
+            weigh_light_of<Type, Falloff::windowed_inverse_square>(),
+            weigh_light_of<Type, Falloff::inverse_square>()};
+}
+
+// The same from everywhere: one kernel serves all rows.
+template <>
+constexpr WeighLights weigh_lights<LightType::directional>() {
+    constexpr auto row = weigh_light_of<LightType::directional, Falloff::inverse_square>();
+    return {row, row, row, row, row};
+}
 constexpr Kernels kKernels = {
     find_surfaces,
-    {{weigh_light<LightType::point, false>, weigh_light<LightType::point, true>},
-     {weigh_light<LightType::spot, false>, weigh_light<LightType::spot, true>},
-     {weigh_light<LightType::directional, false>, weigh_light<LightType::directional, true>}},
+    {weigh_lights<LightType::point>(), weigh_lights<LightType::spot>(),
+     weigh_lights<LightType::directional>()},
     {add_light<false>, add_light<true>},
     {{combine<false, false>, combine<false, true>}, {combine<true, false>, combine<true, true>}},
 };

@@ -5,6 +5,7 @@
 #include "shade/prepared_light.h"
 #include "shade/surface.h"
 
+#include <array>
 #include <cstdint>
 
 namespace peregrine::shade {
@@ -27,17 +28,21 @@ struct ShadowRays {
     uint32_t* index; // of the ray in its batch
 };
 
+// Weighs a light at each point and lists the rays toward it from those that it may reach; returns
+// their number.
+using WeighLight = uint32_t (*)(const Surface& surface, uint32_t count, const PreparedLight& light,
+                                LightWeights& weights, const ShadowRays& rays);
+
+// By fall-off, and whether anything is specular.
+using WeighLights = std::array<std::array<WeighLight, 2>, scene::kFalloffCount>;
+
 // The loops over a batch, compiled for each instruction set; all of them give the same bits.
 struct Kernels {
     // What lies at the hits. `features`: what to look at (scene::Feature bits).
     void (*find_surfaces)(const scene::Snapshot& snapshot, uint32_t features,
                           float intersection_error, const RayHits& hits, Surface& out);
 
-    // By type of light, and whether anything is specular. Weighs the light at each point and lists
-    // the rays toward it from those that it may reach; returns their number.
-    uint32_t (*weigh_light[3][2])(const Surface& surface, uint32_t count,
-                                  const PreparedLight& light, LightWeights& weights,
-                                  const ShadowRays& rays);
+    std::array<WeighLights, 3> weigh_light; // by type of light
 
     // Adds the weighed light; whether specular.
     void (*add_light[2])(const LightWeights& weights, uint32_t count, const math::Vec3& color,

@@ -48,35 +48,78 @@ HWY_INLINE Incidence find_incidence(const Surface& surface, const PreparedLight&
     return in;
 }
 
+// The spot's share: a smooth step of the angle's cosine.
+HWY_INLINE Vf weigh_cone(const PreparedLight& light, const Incidence& in) {
+    const Vf cosine = hn::Div(hn::Neg(dot(splat(light.direction), in.to_light)), in.distance);
+    const Vf s =
+        hn::Min(hn::Mul(hn::Sub(cosine, splat(light.cone_outer_cos)), splat(light.cone_scale)),
+                splat(1.0f));
+    return hn::Mul(hn::Mul(s, s), hn::Sub(splat(3.0f), hn::Mul(splat(2.0f), s)));
+}
+
 // Cosine times fall-off: with b = normal . to_light, a = min(bend geometric . to_light, b),
 //     a (b^2 + a b - a^2) / b^2
 // is the cosine with the facets' terminator softened (Chiang, Li, Burley, "Taming the Shadow
 // Terminator", SIGGRAPH Talks 2019: G + G^2 - G^3 with G = a / b); on a flat surface it is b. The
 // division by |to_light| and that of shade/falloff.h join the one by b^2.
-template <scene::LightType Type>
-HWY_INLINE Vf weigh_diffuse(const Surface& surface, const PreparedLight& light, uint32_t i,
-                            Incidence& in) {
+template <scene::LightType Type, scene::Falloff Kind>
+HWY_INLINE Vf weigh_by_one_quotient(const PreparedLight& light, Vf a, Incidence& in) {
     const Vf one = splat(1.0f);
     const Vf b = in.cosine;
-    const Vf a = hn::Min(hn::Mul(hn::LoadU(kF, surface.bend + i), in.geometric), b);
     const Vf bb = hn::Mul(b, b);
     Vf above = hn::Mul(a, hn::Sub(hn::Add(bb, hn::Mul(a, b)), hn::Mul(a, a)));
     Vf below = bb;
     if constexpr (Type != scene::LightType::directional) {
         const Vf x = hn::Mul(in.distance, splat(light.inverse_radius));
         const Vf rest = hn::Sub(one, x);
-        above = hn::Mul(above, hn::Mul(rest, rest));
-        below = hn::Mul(hn::Mul(bb, in.distance), hn::Add(one, hn::Mul(splat(kFalloffBend), x)));
+        below = hn::Mul(bb, in.distance);
+        if constexpr (Kind == scene::Falloff::schlick_linear) {
+            above = hn::Mul(above, hn::Mul(rest, rest));
+            below = hn::Mul(below, hn::Add(one, hn::Mul(splat(kSchlickBend), x)));
+        } else {
+            above = hn::Mul(above, hn::Max(rest, hn::Zero(kF)));
+        }
+        if constexpr (Kind == scene::Falloff::cosine_linear) {
+            const Vf y = hn::Mul(x, x);
+            Vf sum = splat(kCosine[2]);
+            sum = hn::Add(hn::Mul(sum, y), splat(kCosine[1]));
+            sum = hn::Add(hn::Mul(sum, y), splat(kCosine[0]));
+            sum = hn::Add(hn::Mul(sum, y), one);
+            const Vf cosine = hn::Mul(hn::Sub(one, y), sum);
+            above = hn::Mul(above, hn::Mul(cosine, cosine));
+        }
     }
-    if constexpr (Type == scene::LightType::spot) {
-        const Vf cosine = hn::Div(hn::Neg(dot(splat(light.direction), in.to_light)), in.distance);
-        const Vf s = hn::Min(
-            hn::Mul(hn::Sub(cosine, splat(light.cone_outer_cos)), splat(light.cone_scale)), one);
-        const Vf hermite = hn::Mul(hn::Mul(s, s), hn::Sub(splat(3.0f), hn::Mul(splat(2.0f), s)));
-        above = hn::Mul(above, hermite);
-    }
+    if constexpr (Type == scene::LightType::spot) above = hn::Mul(above, weigh_cone(light, in));
     in.lit = hn::And(in.lit, hn::Gt(below, splat(1e-36f))); // else the quotient is no number
     return hn::IfThenElseZero(in.lit, hn::Div(above, below));
+}
+
+// The same with the inverse square, for distances from 1e-15 to 1e19: in one quotient the powers of
+// |to_light| would over- and underflow long before that.
+template <scene::LightType Type, scene::Falloff Kind>
+HWY_INLINE Vf weigh_inverse_square(const PreparedLight& light, Vf a, const Incidence& in) {
+    const Vf one = splat(1.0f);
+    const Vf g = hn::Div(a, in.cosine);
+    const Vf inverse = hn::Min(hn::Div(one, in.distance), splat(light.inverse_nearest));
+    const Vf soft = hn::Sub(hn::Add(one, g), hn::Mul(g, g));
+    Vf weight = hn::Mul(hn::Mul(hn::Mul(a, inverse), soft), hn::Mul(inverse, inverse));
+    if constexpr (Kind == scene::Falloff::windowed_inverse_square) {
+        const Vf x = hn::Mul(in.distance, splat(light.inverse_radius));
+        const Vf xx = hn::Mul(x, x);
+        weight = hn::Mul(weight, hn::Max(hn::Sub(one, hn::Mul(xx, xx)), hn::Zero(kF)));
+    }
+    if constexpr (Type == scene::LightType::spot) weight = hn::Mul(weight, weigh_cone(light, in));
+    return hn::IfThenElseZero(in.lit, weight);
+}
+
+template <scene::LightType Type, scene::Falloff Kind>
+HWY_INLINE Vf weigh_diffuse(const Surface& surface, const PreparedLight& light, uint32_t i,
+                            Incidence& in) {
+    const Vf a = hn::Min(hn::Mul(hn::LoadU(kF, surface.bend + i), in.geometric), in.cosine);
+    if constexpr (Type != scene::LightType::directional && is_inverse_square(Kind))
+        return weigh_inverse_square<Type, Kind>(light, a, in);
+    else
+        return weigh_by_one_quotient<Type, Kind>(light, a, in);
 }
 
 // shade/highlight.h with t = mirror . to_light / |to_light|.
@@ -107,7 +150,7 @@ HWY_INLINE uint32_t pack_rays(const Surface& surface, uint32_t i, const Incidenc
     return count + uint32_t(hn::CountTrue(kF, in.lit));
 }
 
-template <scene::LightType Type, bool Specular>
+template <scene::LightType Type, scene::Falloff Kind, bool Specular>
 HWY_ATTR uint32_t weigh_light(const Surface& surface, uint32_t count, const PreparedLight& light,
                               LightWeights& out, const ShadowRays& rays) {
     uint32_t ray_count = 0;
@@ -118,7 +161,7 @@ HWY_ATTR uint32_t weigh_light(const Surface& surface, uint32_t count, const Prep
             if constexpr (Specular) hn::StoreU(hn::Zero(kF), kF, out.lobe + i);
             continue;
         }
-        hn::StoreU(weigh_diffuse<Type>(surface, light, i, in), kF, out.diffuse + i);
+        hn::StoreU(weigh_diffuse<Type, Kind>(surface, light, i, in), kF, out.diffuse + i);
         if constexpr (Specular) hn::StoreU(weigh_lobe(surface, i, in), kF, out.lobe + i);
         ray_count = pack_rays(surface, i, in, light.from_light, rays, ray_count);
     }

@@ -53,7 +53,8 @@ void Shader::illuminate(const PreparedLight& light, uint32_t count, Scratch& scr
         {scratch.shadow_origin[0], scratch.shadow_origin[1], scratch.shadow_origin[2]},
         {scratch.shadow_direction[0], scratch.shadow_direction[1], scratch.shadow_direction[2]},
         scratch.shadow_index};
-    const uint32_t ray_count = kernels->weigh_light[uint32_t(light.type)][specular](
+    const WeighLights& by_falloff = kernels->weigh_light[uint32_t(light.type)];
+    const uint32_t ray_count = by_falloff[uint32_t(light.falloff)][specular](
         scratch.surface, count, light, scratch.weights, rays);
     if (ray_count == 0) return;
     if (shadows && light.casts_shadow && !hide_occluded(light, ray_count, scratch)) return;

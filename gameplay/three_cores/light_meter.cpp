@@ -9,10 +9,11 @@
 namespace peregrine::three_cores {
 namespace {
 
-constexpr double kHalf = 0.6;   // lux that make half of it
+constexpr double kHalf = 0.9;   // lux that make half of it
 constexpr double kSunWay = 500; // m
 
-// What would fall on a place if nothing were between; the way to the lamp in `to`.
+// What would fall on a place if nothing were between, as frames show it: rt.h has the formulas at
+// rt_falloff; levels' lamps are windowed inverse squares. The way to the lamp in `to`.
 double illuminance(const Lamp& lamp, const Vec3& place, Vec3& to) {
     if (lamp.kind == Lamp::Kind::sun) {
         to = -kSunWay * lamp.direction;
@@ -22,12 +23,12 @@ double illuminance(const Lamp& lamp, const Vec3& place, Vec3& to) {
     const double square = glm::dot(to, to);
     if (square >= lamp.radius * lamp.radius || square == 0) return 0;
     const double part = square / (lamp.radius * lamp.radius);
-    const double window = (1 - part * part) * (1 - part * part); // the light ends at its radius
-    double lux = lamp.candela * window / std::max(square, 0.01);
+    double lux = lamp.candela * (1 - part * part) / std::max(square, 0.01);
     if (lamp.kind == Lamp::Kind::spot) {
         const double cosine = -glm::dot(to, lamp.direction) / glm::length(to);
         const double range = std::max(lamp.cos_inner - lamp.cos_outer, 1e-6);
-        lux *= std::clamp((cosine - lamp.cos_outer) / range, 0.0, 1.0);
+        const double s = std::clamp((cosine - lamp.cos_outer) / range, 0.0, 1.0);
+        lux *= s * s * (3 - 2 * s);
     }
     return lux;
 }

@@ -33,8 +33,8 @@ struct Lamp {
     enum class Kind { point, spot, sun } kind = Kind::point;
     Vec3 position{0};
     Vec3 direction{0, -1, 0}; // unit; the way its light travels
-    double radius = 10;
-    double candela = 1; // lux for a sun
+    double radius = 10;       // infinite: no end
+    double candela = 1;       // lux for a sun
     double cos_inner = 1, cos_outer = 0.7;
 };
 

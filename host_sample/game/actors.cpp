@@ -12,7 +12,7 @@ using three_cores::Drone;
 using three_cores::Game;
 
 constexpr double blast_ticks = 24;
-constexpr float blast_candela = 260.0f, beam_candela = 55.0f, core_candela = 2.2f;
+constexpr float blast_candela = 420.0f, beam_candela = 75.0f, core_candela = 3.0f;
 constexpr double beam_reach = 14, core_reach = 4, blast_reach = 16;
 constexpr double lens = 0.3; // metres before the middle of a drone: outside of its hull
 

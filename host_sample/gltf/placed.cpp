@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "../cameras.h"
@@ -12,19 +13,23 @@ namespace host::gltf {
 
 namespace {
 
-// A light without a range ends where it would give less than this.
-constexpr double faintest_lux = 1.0 / 50.0;
-
 LightType to_type(const std::string& type) {
     if (type == "spot") return LightType::spot;
     return type == "directional" ? LightType::directional : LightType::point;
 }
 
-float to_radius(double range, const glm::vec3& intensity, double diagonal) {
-    if (range > 0.0 && std::isfinite(range)) return static_cast<float>(std::min(range, 1e6));
-    const double strongest = std::max({intensity.r, intensity.g, intensity.b});
-    const double reach = std::sqrt(strongest / faintest_lux);
-    return static_cast<float>(std::max(diagonal > 0.0 ? std::min(reach, diagonal) : reach, 1e-3));
+// Or lux. Lamps of a thousand metres away, or of a model in centimetres, have millions.
+float to_candela(double intensity) {
+    if (!std::isfinite(intensity) || intensity < 0.0) return 0.0f;
+    return static_cast<float>(std::min(intensity, 1e30));
+}
+
+// Without a range a light has no end.
+float to_radius(double range) {
+    constexpr auto shortest = static_cast<double>(std::numeric_limits<float>::min());
+    constexpr auto longest = static_cast<double>(std::numeric_limits<float>::max());
+    if (!(range > 0.0) || std::isinf(range)) return std::numeric_limits<float>::infinity();
+    return static_cast<float>(std::clamp(range, shortest, longest));
 }
 
 void add_light(const tinygltf::Light& source, const Viewpoint& place, Level& level) {
@@ -38,9 +43,9 @@ void add_light(const tinygltf::Light& source, const Viewpoint& place, Level& lev
     if (source.color.size() >= 3)
         color = {to_factor(source.color[0]), to_factor(source.color[1]),
                  to_factor(source.color[2])};
-    light.intensity = color * to_factor(source.intensity);
+    light.intensity = color * to_candela(source.intensity);
     if (light.intensity == glm::vec3(0.0f)) return;
-    light.radius = to_radius(source.range, light.intensity, level.bounds.diagonal());
+    light.radius = to_radius(source.range);
     const auto angle = [](double a) {
         return std::isfinite(a) ? std::clamp(a, 0.0, 1.5707963) : 0.0;
     };

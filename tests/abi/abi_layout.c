@@ -131,6 +131,8 @@ static void print_lights(void) {
     FIELD(rt_light_desc, cone_inner_cos);
     FIELD(rt_light_desc, cone_outer_cos);
     FIELD(rt_light_desc, casts_no_shadow);
+    FIELD(rt_light_desc, falloff);
+    FIELD(rt_light_desc, reserved);
     STRUCT(rt_environment);
     FIELD(rt_environment, struct_size);
     FIELD(rt_environment, ambient);

@@ -159,6 +159,15 @@ TEST_F(BadField, Light) {
         {[](auto& d) { d.position[1] = std::nan(""); }, RT_ERROR_INVALID_ARGUMENT, "position[1]"},
         {[](auto& d) { d.radius = 0; }, RT_ERROR_INVALID_ARGUMENT, "radius is 0"},
         {[](auto& d) { d.radius = -1; }, RT_ERROR_INVALID_ARGUMENT, "radius is -1"},
+        {[](auto& d) { d.radius = -kInfinity; }, RT_ERROR_INVALID_ARGUMENT, "radius is -inf"},
+        {[](auto& d) { d.radius = kNan; }, RT_ERROR_INVALID_ARGUMENT, "radius is"},
+        {[](auto& d) { d.radius = kInfinity, d.falloff = RT_FALLOFF_SCHLICK_LINEAR; },
+         RT_ERROR_INVALID_ARGUMENT, "radius is infinite, but a falloff of 0 needs an end"},
+        {[](auto& d) { d.radius = kInfinity, d.falloff = RT_FALLOFF_COSINE_LINEAR; },
+         RT_ERROR_INVALID_ARGUMENT, "radius is infinite"},
+        {[](auto& d) { d.falloff = 5; }, RT_ERROR_INVALID_ARGUMENT, "rt_light_desc.falloff is 5"},
+        {[](auto& d) { d.falloff = -1; }, RT_ERROR_INVALID_ARGUMENT, "falloff is -1"},
+        {[](auto& d) { d.reserved = 1; }, RT_ERROR_INVALID_ARGUMENT, "rt_light_desc.reserved"},
         {[](auto& d) { d.intensity[0] = -1; }, RT_ERROR_INVALID_ARGUMENT, "intensity[0] is -1"},
         {[](auto& d) { d.casts_no_shadow = 7; }, RT_ERROR_INVALID_ARGUMENT, "casts_no_shadow"},
         {[](auto& d) { d.direction[1] = 0; }, RT_ERROR_INVALID_ARGUMENT, "direction is the zero"},
@@ -180,8 +189,8 @@ TEST_F(BadField, Light) {
         refuse(desc, c.expected, c.words);
     }
     using L = rt_light_desc;
-    const size_t offsets[] = {AT(L, direction[0]), AT(L, direction[2]),   AT(L, radius),
-                              AT(L, intensity[1]), AT(L, cone_inner_cos), AT(L, cone_outer_cos)};
+    const size_t offsets[] = {AT(L, direction[0]), AT(L, direction[2]), AT(L, intensity[1]),
+                              AT(L, cone_inner_cos), AT(L, cone_outer_cos)};
     for (const rt_light_type type : {RT_LIGHT_POINT, RT_LIGHT_SPOT, RT_LIGHT_DIRECTIONAL}) {
         good.type = type;
         spoil_floats<L>(good, offsets, [&](const L& bad) {

@@ -39,6 +39,7 @@ std::string run_door(const Options& options);
 std::string run_trace(const Options& options);
 std::string run_moving(const Options& options);
 std::string run_grenade(const Options& options);
+std::string run_falloff(const Options& options);
 std::string run_kernels(const Options& options);
 std::string run_queries(const Options& options);
 

@@ -38,16 +38,20 @@ void write_json(const Options& options, const std::string& rows) {
     std::filesystem::rename(part, options.json);
 }
 
+void add_output_options(CLI::App& command, Options& options) {
+    command.add_option("--passes", options.passes, "Passes; medians are printed")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    command.add_option("--json", options.json, "Write the rows to this file as well");
+}
+
 void add_options(CLI::App& command, Options& options) {
     command
         .add_option("--scene", options.scenes,
                     "Scene files (.glb, .gltf); default: our hall and those of "
                     "$PEREGRINE_SCENES or ../shared/scenes")
         ->check(CLI::ExistingFile);
-    command.add_option("--passes", options.passes, "Passes; medians are printed")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
-    command.add_option("--json", options.json, "Write the rows to this file as well");
+    add_output_options(command, options);
 }
 
 void add_threads_option(CLI::App& command, Options& options) {
@@ -153,11 +157,9 @@ int run(int argc, char** argv) {
     CLI::App* queries =
         app.add_subcommand("queries", "gameplay's queries: speed and accuracy, on one thread");
     CLI::App* grenade = app.add_subcommand("grenade", "how far a game's time step changes a throw");
+    CLI::App* falloff = app.add_subcommand("falloff", "fall-offs of lamps: error and time");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
-    kernels->add_option("--passes", options.passes, "Passes; medians are printed")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
-    kernels->add_option("--json", options.json, "Write the rows to this file as well");
+    for (CLI::App* command : {falloff, kernels}) add_output_options(*command, options);
     for (CLI::App* command : {build, frame, door, trace, moving, queries, grenade})
         add_options(*command, options);
     for (CLI::App* command : {build, frame, door, trace, moving, grenade})
@@ -174,7 +176,7 @@ int run(int argc, char** argv) {
                      "SAH cost of a split that cuts off empty space: times 1 - this")
         ->check(CLI::Range(0.0, 1.0));
     add_frame_options(*frame, options);
-    for (CLI::App* command : {frame, door, trace, moving, queries, grenade})
+    for (CLI::App* command : {frame, door, trace, moving, queries, grenade, falloff})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
@@ -185,6 +187,7 @@ int run(int argc, char** argv) {
                              : *trace   ? peregrine::bench::run_trace(options)
                              : *moving  ? peregrine::bench::run_moving(options)
                              : *grenade ? peregrine::bench::run_grenade(options)
+                             : *falloff ? peregrine::bench::run_falloff(options)
                              : *kernels ? peregrine::bench::run_kernels(options)
                              : *queries ? peregrine::bench::run_queries(options)
                                         : peregrine::bench::run_door(options);

@@ -266,6 +266,7 @@ private:
         if (lights_.size() > 6) return;
         rt_light_desc desc = rt_default_light_desc();
         desc.type = rt_light_type(random_.below(3));
+        desc.falloff = rt_falloff(random_.below(6)); // one too many
         for (double& p : desc.position) p = double(random_.number());
         for (float& d : desc.direction) d = random_.number();
         desc.casts_no_shadow = random_.below(2);

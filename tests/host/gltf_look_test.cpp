@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <stb/stb_image_write.h>
@@ -144,7 +145,7 @@ TEST(GltfLook, LightsCamerasAndSpawns) {
     builder.json["scenes"][0]["nodes"] = {0, 1, 2, 3, 4, 5};
     const Level level = import(builder);
     ASSERT_EQ(level.lights.size(), 3u);
-    EXPECT_NEAR(level.lights[0].radius, 1.0f, 1e-5f); // sqrt(0.02 / (1 / 50))
+    EXPECT_EQ(level.lights[0].radius, std::numeric_limits<float>::infinity()); // no range, no end
     EXPECT_EQ(level.lights[1].radius, 4.0f);
     EXPECT_EQ(level.lights[1].intensity, glm::vec3(10, 5, 0));
     EXPECT_NEAR(level.lights[1].cone_outer_cos, std::cos(0.5f), 1e-6f);

@@ -1,6 +1,4 @@
 #include "render_scene.h"
-#include "shade/falloff.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -50,7 +48,8 @@ TEST(PointLight, LightsAFloorByItsFalloffAndCosine) {
         const Vec3 direction = pinhole.direction(x, 31);
         const Vec3 point = Vec3(0, 5, 0) + direction * (-5.0f / direction.y);
         const float d = glm::length(Vec3(0, 2, 0) - point);
-        const float expected = 30 / 64.0f * shade::falloff(d / 8) * (2 / d) / 3.14159265f;
+        const float window = 1 - std::pow(d / 8, 4.0f);
+        const float expected = 30 * window / (d * d) * (2 / d) / 3.14159265f;
         EXPECT_NEAR(picture.at(x, 31).x / expected, 1.0f, 1e-4f);
     }
 }

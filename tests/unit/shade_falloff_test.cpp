@@ -9,26 +9,39 @@
 namespace peregrine::shade {
 namespace {
 
-// Promise 4: the price of the approximation, measured against 1 / x^2.
-TEST(Falloff, StaysWithinItsStatedErrorOfTheInverseSquare) {
+// The price of each approximation over [0.1, 0.8] of the radius, measured against 1 / x^2; `curve`
+// is K times the shape.
+template <class Curve>
+void expect_error(const PaperFalloff& falloff, double root_mean_square, Curve&& curve) {
     double largest = 0, squares = 0;
     int count = 0;
     for (double x = 0.1; x <= 0.8; x += 0.0005, ++count) {
-        const double error = std::log(double(falloff(float(x))) * x * x);
+        const double error = std::log(double(falloff.gain) * curve(x) * x * x);
         largest = std::max(largest, std::fabs(error));
         squares += error * error;
     }
-    EXPECT_LE(std::exp(largest), double(kFalloffError));
-    EXPECT_GE(std::exp(largest), double(kFalloffError) - 0.003) << "the statement is not tight";
-    EXPECT_LE(std::exp(std::sqrt(squares / count)), 1.59);
+    EXPECT_LE(std::exp(largest), double(falloff.error));
+    EXPECT_GE(std::exp(largest), double(falloff.error) - 0.003) << "the statement is not tight";
+    EXPECT_NEAR(std::exp(std::sqrt(squares / count)), root_mean_square, 0.005);
 }
 
-TEST(Falloff, EndsSmoothlyAtTheRadiusAndIsFiniteAtTheLight) {
-    EXPECT_EQ(falloff(1.0f), 0.0f);
-    EXPECT_EQ(falloff(1.5f), 0.0f);
-    EXPECT_LT(falloff(0.999f), 1e-4f); // zero slope: quadratic in 1 - x
-    EXPECT_FLOAT_EQ(falloff(0.0f), kFalloffGain);
-    for (float x = 0; x < 1; x += 0.01f) EXPECT_GT(falloff(x), falloff(x + 0.01f));
+double cosine(double x) {
+    const double y = x * x;
+    const auto c = [](int k) { return double(kCosine[k]); };
+    return (1 - y) * (1 + y * (c(0) + y * (c(1) + y * c(2))));
+}
+
+TEST(Falloff, StaysWithinItsStatedErrorOfTheInverseSquare) {
+    expect_error(kSchlickLinear, 1.584,
+                 [](double x) { return (1 - x) * (1 - x) / (1 + double(kSchlickBend) * x); });
+    expect_error(kCosineLinear, 2.006, [](double x) { return cosine(x) * cosine(x) * (1 - x); });
+    expect_error(kLinear, 2.913, [](double x) { return 1 - x; });
+}
+
+TEST(Falloff, ItsCosineIsOne) {
+    for (double x = 0; x < 1; x += 0.001)
+        EXPECT_NEAR(cosine(x) / std::cos(1.5707963267948966 * x), 1, 2.5e-7) << x;
+    EXPECT_EQ(cosine(1), 0);
 }
 
 TEST(Highlight, GainConservesEnergyHeadOn) {
