@@ -14,8 +14,8 @@ namespace {
 using nlohmann::json;
 
 const std::set<std::string, std::less<>> supported = {
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
-    "KHR_mesh_quantization", "KHR_texture_transform"};
+    "EXT_mesh_gpu_instancing", "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",     "KHR_mesh_quantization", "KHR_texture_transform"};
 
 // What is seen instead.
 const std::map<std::string, const char*, std::less<>> consequences = {

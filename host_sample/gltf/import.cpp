@@ -31,7 +31,7 @@ Level import_document(const Document& document, const std::string& name,
     RigBuilder rig(document.model, tree,
                    import_clips(document.model, animation, accessors, budget, notes), moved,
                    level.rig);
-    import_geometry(document.model, tree, accessors, rig, budget, level, notes);
+    import_geometry(document, tree, accessors, rig, budget, level, notes);
     import_materials(document, level, notes);
     import_placed(document.model, tree, rig, level, notes);
     level.notes = notes.take();
