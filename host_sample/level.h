@@ -12,7 +12,7 @@
 #include "mesh.h"
 
 // What was read from a scene file: plain data that knows neither the file format nor the engine.
-// All but what moves is baked to world space.
+// All but what moves or stands in many places is baked to world space.
 namespace host {
 
 struct Image {
@@ -84,6 +84,9 @@ struct Bounds {
 
 struct Level {
     std::string name;
+    // What the vertices of `meshes` and of deforming meshes in a pose are relative to: floats would
+    // lose those of a level that lies far away. All else is relative to (0, 0, 0).
+    glm::dvec3 origin{0.0};
     std::vector<Image> images;
     std::vector<Texture> textures;
     std::vector<Material> materials;
@@ -102,7 +105,7 @@ struct Level {
         size_t count = 0;
         for (const Mesh& mesh : meshes) count += mesh.triangle_count();
         for (const RigidMesh& rigid : rigid_meshes)
-            count += rigid.mesh.triangle_count() * rigid.nodes.size();
+            count += rigid.mesh.triangle_count() * rigid.count();
         for (const DeformingMesh& deforming : deforming_meshes)
             count += deforming.mesh.triangle_count();
         return count;

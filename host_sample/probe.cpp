@@ -5,8 +5,9 @@ namespace host {
 std::optional<Contact> Probe::cast(const glm::dvec3& origin, const glm::dvec3& direction,
                                    double reach) const {
     rt_ray ray{};
+    rt_query_options options = rt_default_query_options();
     for (int i = 0; i < 3; ++i) {
-        ray.origin[i] = static_cast<float>(origin[i]);
+        options.origin[i] = origin[i];
         ray.direction[i] = static_cast<float>(direction[i]);
     }
     ray.t_max = static_cast<float>(reach);
@@ -16,6 +17,7 @@ std::optional<Contact> Probe::cast(const glm::dvec3& origin, const glm::dvec3& d
     query.rays = &ray;
     query.ray_count = 1;
     query.hits = &hit;
+    query.options = &options;
     query.flags = RT_QUERY_ALPHA_TEST;
     stage_.check(stage_.api().trace_query(stage_.scene(), &query), "probing the scene");
     if (hit.triangle == RT_NO_TRIANGLE) return std::nullopt;

@@ -52,7 +52,7 @@ Json describe_animation(const Session& session) {
     const Level& level = session.level;
     const PlayerLog& log = session.player.log();
     size_t instances = 0, vertices = 0;
-    for (const RigidMesh& rigid : level.rigid_meshes) instances += rigid.nodes.size();
+    for (const RigidMesh& rigid : level.rigid_meshes) instances += rigid.count();
     for (const DeformingMesh& mesh : level.deforming_meshes) vertices += mesh.vertex_count();
     return {{"clips", level.rig.clips.size()},
             {"nodes", level.rig.nodes.size()},

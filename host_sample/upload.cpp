@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "transform.h"
+
 namespace host {
 
 namespace {
@@ -32,6 +34,9 @@ public:
 
     Uploaded run(float ambient) {
         const rt_api& api = stage_.api();
+        if (level_.origin != glm::dvec3(0.0))
+            stage_.check(api.set_world_origin(stage_.scene(), &level_.origin.x),
+                         "setting the origin of the world");
         for (const Mesh& mesh : level_.meshes) add_mesh(mesh, api.add_static_mesh);
         for (const RigidMesh& rigid : level_.rigid_meshes) add_rigid_mesh(rigid);
         for (const DeformingMesh& deforming : level_.deforming_meshes)
@@ -110,11 +115,17 @@ private:
 
     void add_rigid_mesh(const RigidMesh& rigid) {
         std::vector<rt_mesh> handles = {add_mesh(rigid.mesh, stage_.api().add_rigid_mesh)};
-        while (handles.size() < rigid.nodes.size()) {
+        while (handles.size() < rigid.count()) {
             rt_mesh handle{};
             stage_.check(stage_.api().add_mesh_instance(stage_.scene(), handles[0], &handle),
                          "adding an instance of a mesh");
             handles.push_back(handle);
+        }
+        for (size_t i = 0; i < rigid.places.size(); ++i) {
+            const rt_mesh mesh = handles[rigid.nodes.size() + i];
+            if (!place_mesh(stage_, mesh, rigid.places[i]))
+                stage_.check(stage_.api().set_mesh_hidden(stage_.scene(), mesh, 1),
+                             "hiding a mesh that is scaled to nothing");
         }
         uploaded_.rigid_meshes.push_back(std::move(handles));
     }
@@ -161,6 +172,14 @@ rt_light_desc describe_light(const Light& light) {
     desc.cone_inner_cos = light.cone_inner_cos;
     desc.cone_outer_cos = light.cone_outer_cos;
     return desc;
+}
+
+bool place_mesh(const Stage& stage, rt_mesh mesh, const glm::dmat4& world) {
+    const rt_transform transform = to_transform(world);
+    const rt_result result = stage.api().set_mesh_transform(stage.scene(), mesh, &transform);
+    if (result == RT_ERROR_INVALID_ARGUMENT) return false;
+    stage.check(result, "placing a mesh");
+    return true;
 }
 
 Uploaded upload_level(Stage& stage, const Level& level, float ambient) {

@@ -9,7 +9,8 @@ namespace host {
 
 // What of a level the engine knows and the host moves, in the level's order.
 struct Uploaded {
-    std::vector<std::vector<rt_mesh>> rigid_meshes; // one for each node that the mesh stands at
+    // One for each node that the mesh stands at, then one for each of its places.
+    std::vector<std::vector<rt_mesh>> rigid_meshes;
     std::vector<rt_mesh> deforming_meshes;
     std::vector<rt_light> lights;
 };
@@ -28,5 +29,9 @@ rt_array to_array(const std::vector<T>& values) {
 }
 
 rt_light_desc describe_light(const Light& light);
+
+// False for a transform without inverse, which the engine refuses: nothing of the mesh could be
+// seen there. Throws EngineError.
+bool place_mesh(const Stage& stage, rt_mesh mesh, const glm::dmat4& world);
 
 } // namespace host

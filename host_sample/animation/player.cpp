@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "../cameras.h"
-#include "../transform.h"
 
 namespace host {
 
@@ -67,7 +66,7 @@ void Player::deform_meshes() {
     for (size_t i = 0; i < deformed_.size(); ++i) {
         const DeformingMesh& mesh = level_.deforming_meshes[i];
         Deformed& last = deformed_[i];
-        joint_matrices(mesh, pose_, joints);
+        joint_matrices(mesh, pose_, joints, level_.origin);
         const auto weights = pose_.weights(mesh.node);
         last.changed = joints != last.joints || !std::ranges::equal(weights, last.weights);
         if (!last.changed) continue;
@@ -107,16 +106,11 @@ bool Player::move_rigid() {
     return changed;
 }
 
-// Animations often scale things to nothing to make them disappear. The engine refuses a transform
-// without inverse, and the mesh is hidden for as long.
+// Animations often scale things to nothing to make them disappear: hidden for as long.
 void Player::move(Placed& placed) const {
-    const rt_api& api = stage_.api();
-    const rt_transform transform = to_transform(placed.world);
-    const rt_result result = api.set_mesh_transform(stage_.scene(), placed.mesh, &transform);
-    if (result != RT_ERROR_INVALID_ARGUMENT) stage_.check(result, "moving a mesh");
-    const bool hidden = result != RT_OK;
+    const bool hidden = !place_mesh(stage_, placed.mesh, placed.world);
     if (hidden == placed.hidden) return;
-    stage_.check(api.set_mesh_hidden(stage_.scene(), placed.mesh, hidden ? 1 : 0),
+    stage_.check(stage_.api().set_mesh_hidden(stage_.scene(), placed.mesh, hidden ? 1 : 0),
                  "hiding a mesh that is scaled to nothing");
     placed.hidden = hidden;
 }

@@ -7,17 +7,6 @@
 
 namespace host {
 
-namespace {
-
-glm::dmat4 to_matrix(const Local& local) {
-    glm::dmat4 matrix = glm::mat4_cast(local.rotation);
-    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= local.scale[axis];
-    matrix[3] = glm::dvec4(local.translation, 1.0);
-    return matrix;
-}
-
-} // namespace
-
 Pose::Pose(const Rig& rig) : rig_(rig), world_(rig.nodes.size()) {
     for (const RigNode& node : rig.nodes) {
         local_.push_back(node.rest);
@@ -59,15 +48,28 @@ void Pose::place_nodes() {
     }
 }
 
+glm::dmat4 to_matrix(const Local& local) {
+    glm::dmat4 matrix = glm::mat4_cast(local.rotation);
+    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= local.scale[axis];
+    matrix[3] = glm::dvec4(local.translation, 1.0);
+    return matrix;
+}
+
+glm::dmat4 relative_to(const glm::dvec3& origin, glm::dmat4 world) {
+    world[3] -= glm::dvec4(origin, 0.0);
+    return world;
+}
+
 glm::mat4x3 to_affine(const glm::dmat4& matrix) {
     return glm::mat4x3(glm::vec3(matrix[0]), glm::vec3(matrix[1]), glm::vec3(matrix[2]),
                        glm::vec3(matrix[3]));
 }
 
-void joint_matrices(const DeformingMesh& mesh, const Pose& pose, std::vector<glm::mat4x3>& out) {
+void joint_matrices(const DeformingMesh& mesh, const Pose& pose, std::vector<glm::mat4x3>& out,
+                    const glm::dvec3& origin) {
     out.clear();
     for (const Joint& joint : mesh.joints)
-        out.push_back(to_affine(pose.world(joint.node) * joint.inverse_bind));
+        out.push_back(to_affine(relative_to(origin, pose.world(joint.node) * joint.inverse_bind)));
 }
 
 } // namespace host

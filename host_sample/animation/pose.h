@@ -26,9 +26,16 @@ private:
     std::vector<std::vector<double>> weights_;
 };
 
+glm::dmat4 to_matrix(const Local& local);
+
+// The same place, relative to a point of the world.
+glm::dmat4 relative_to(const glm::dvec3& origin, glm::dmat4 world);
+
 glm::mat4x3 to_affine(const glm::dmat4& matrix);
 
-// The matrices of a deforming mesh's joints: from the space of its vertices to the world.
-void joint_matrices(const DeformingMesh& mesh, const Pose& pose, std::vector<glm::mat4x3>& out);
+// The matrices of a deforming mesh's joints: from the space of its vertices to the world, relative
+// to `origin`.
+void joint_matrices(const DeformingMesh& mesh, const Pose& pose, std::vector<glm::mat4x3>& out,
+                    const glm::dvec3& origin = glm::dvec3(0.0));
 
 } // namespace host

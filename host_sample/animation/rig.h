@@ -35,7 +35,10 @@ struct Rig {
 // Moves as a whole. Its vertices are in the space of each of its nodes.
 struct RigidMesh {
     Mesh mesh;
-    std::vector<uint32_t> nodes; // of the rig, never empty: it stands at each of them
+    std::vector<uint32_t> nodes;    // of the rig: it stands at each of them
+    std::vector<glm::dmat4> places; // where it stands as well, and nothing moves it
+
+    size_t count() const { return nodes.size() + places.size(); } // never 0
 };
 
 struct Joint {

@@ -59,8 +59,13 @@ void add(StateHash& hash, const three_cores::Plan& plan) {
 
 uint64_t hash_of(const three_cores::Plan& plan, const Level& level) {
     StateHash hash;
+    if (level.origin != glm::dvec3(0.0)) hash.add(level.origin);
     for (const Mesh& mesh : level.meshes) add(hash, mesh);
-    for (const RigidMesh& rigid : level.rigid_meshes) add(hash, rigid.mesh);
+    for (const RigidMesh& rigid : level.rigid_meshes) {
+        add(hash, rigid.mesh);
+        for (const glm::dmat4& place : rigid.places)
+            for (int column = 0; column < 4; ++column) hash.add(glm::dvec3(place[column]));
+    }
     for (const DeformingMesh& deforming : level.deforming_meshes) add(hash, deforming.mesh);
     add(hash, plan);
     return hash.value();

@@ -84,27 +84,31 @@ bool fits(uint64_t available, uint64_t count, uint64_t stride, uint64_t size) {
 
 } // namespace
 
-std::span<const unsigned char> view_bytes(const tinygltf::Model& model, int buffer_view,
-                                          const std::string& user) {
+Bytes view_bytes(const Document& document, int buffer_view, const std::string& user) {
+    const tinygltf::Model& model = document.model;
     if (buffer_view < 0 || static_cast<size_t>(buffer_view) >= model.bufferViews.size())
         throw InputError(user + " names buffer view " + std::to_string(buffer_view)
                          + ", which does not exist");
     const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(buffer_view)];
-    if (view.buffer < 0 || static_cast<size_t>(view.buffer) >= model.buffers.size())
+    if (view.buffer < 0 || static_cast<size_t>(view.buffer) >= document.buffers.size())
         throw InputError("buffer view " + std::to_string(buffer_view) + " names buffer "
                          + std::to_string(view.buffer) + ", which does not exist");
-    const auto& data = model.buffers[static_cast<size_t>(view.buffer)].data;
+    const Buffer& buffer = document.buffers[static_cast<size_t>(view.buffer)];
+    if (!buffer.lack.empty())
+        throw InputError(user + " needs buffer " + std::to_string(view.buffer) + ", which "
+                         + buffer.lack);
+    const Bytes data = buffer.bytes;
     if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
         throw InputError("buffer view " + std::to_string(buffer_view)
                          + " reaches beyond its buffer");
-    return {data.data() + view.byteOffset, view.byteLength};
+    return data.subspan(view.byteOffset, view.byteLength);
 }
 
-Accessor::Accessor(const tinygltf::Model& model, int index, uint64_t bytes_read)
+Accessor::Accessor(const Document& document, int index)
     : name_("accessor " + std::to_string(index)) {
-    if (index < 0 || static_cast<size_t>(index) >= model.accessors.size())
+    if (index < 0 || static_cast<size_t>(index) >= document.model.accessors.size())
         throw InputError(name_ + " is named but does not exist");
-    const tinygltf::Accessor& accessor = model.accessors[static_cast<size_t>(index)];
+    const tinygltf::Accessor& accessor = document.model.accessors[static_cast<size_t>(index)];
     count_ = accessor.count;
     component_type_ = accessor.componentType;
     component_bytes_ = component_bytes(accessor.componentType);
@@ -112,30 +116,29 @@ Accessor::Accessor(const tinygltf::Model& model, int index, uint64_t bytes_read)
     normalized_ = accessor.normalized;
     if (component_bytes_ == 0 || components_ == 0)
         throw InputError(name_ + " has an unsupported type");
-    open_dense(model, accessor, bytes_read);
-    if (accessor.sparse.isSparse) open_sparse(model, accessor);
+    open_dense(document, accessor);
+    if (accessor.sparse.isSparse) open_sparse(document, accessor);
 }
 
-void Accessor::open_dense(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
-                          uint64_t bytes_read) {
+void Accessor::open_dense(const Document& document, const tinygltf::Accessor& accessor) {
     const uint64_t element = component_bytes_ * static_cast<uint64_t>(components_);
     stride_ = element;
     if (accessor.bufferView < 0) {
         // Zeros cost the file nothing, so their number is bounded by what else it holds.
-        if (count_ > bytes_read)
+        if (count_ > document.bytes_read)
             throw InputError(name_ + " counts more elements than the file has bytes");
         return;
     }
-    const auto bytes = view_bytes(model, accessor.bufferView, name_);
-    const size_t declared = model.bufferViews[static_cast<size_t>(accessor.bufferView)].byteStride;
-    if (declared != 0) stride_ = declared;
+    const auto bytes = view_bytes(document, accessor.bufferView, name_);
+    const auto& view = document.model.bufferViews[static_cast<size_t>(accessor.bufferView)];
+    if (view.byteStride != 0) stride_ = view.byteStride;
     if (accessor.byteOffset > bytes.size()
         || !fits(bytes.size() - accessor.byteOffset, count_, stride_, element))
         throw InputError(name_ + " reaches beyond its buffer view");
     data_ = bytes.data() + accessor.byteOffset;
 }
 
-void Accessor::open_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor) {
+void Accessor::open_sparse(const Document& document, const tinygltf::Accessor& accessor) {
     const auto& sparse = accessor.sparse;
     if (sparse.count < 0 || static_cast<uint64_t>(sparse.count) > count_
         || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
@@ -144,8 +147,8 @@ void Accessor::open_sparse(const tinygltf::Model& model, const tinygltf::Accesso
     const int type = sparse.indices.componentType;
     if (!is_unsigned(type)) throw InputError(name_ + " has sparse indices of a wrong type");
 
-    const auto indices = view_bytes(model, sparse.indices.bufferView, name_);
-    const auto values = view_bytes(model, sparse.values.bufferView, name_);
+    const auto indices = view_bytes(document, sparse.indices.bufferView, name_);
+    const auto values = view_bytes(document, sparse.values.bufferView, name_);
     const auto indices_offset = static_cast<uint64_t>(sparse.indices.byteOffset);
     const auto values_offset = static_cast<uint64_t>(sparse.values.byteOffset);
     const uint64_t index_bytes = component_bytes(type);
@@ -219,7 +222,7 @@ const Accessor& Accessors::open(int index) {
     if (index < 0 || static_cast<size_t>(index) >= open_.size())
         throw InputError("accessor " + std::to_string(index) + " is named but does not exist");
     auto& slot = open_[static_cast<size_t>(index)];
-    if (!slot) slot = std::make_unique<Accessor>(model_, index, bytes_read_);
+    if (!slot) slot = std::make_unique<Accessor>(document_, index);
     return *slot;
 }
 

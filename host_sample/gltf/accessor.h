@@ -2,24 +2,22 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "document.h"
 #include <glm/glm.hpp>
-#include <tiny_gltf.h>
 
 namespace host::gltf {
 
 // The bytes of a buffer view, checked against its buffer. Throws InputError.
-std::span<const unsigned char> view_bytes(const tinygltf::Model& model, int buffer_view,
-                                          const std::string& user);
+Bytes view_bytes(const Document& document, int buffer_view, const std::string& user);
 
 // One accessor whose every element is known to lie within its buffer, sparse ones included.
 class Accessor {
 public:
     // Throws InputError if any element would lie outside.
-    Accessor(const tinygltf::Model& model, int index, uint64_t bytes_read);
+    Accessor(const Document& document, int index);
 
     uint64_t count() const { return count_; }
     int components() const { return components_; }
@@ -38,9 +36,8 @@ public:
     glm::mat4 read_mat4(uint64_t i) const;
 
 private:
-    void open_dense(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
-                    uint64_t bytes_read);
-    void open_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor);
+    void open_dense(const Document& document, const tinygltf::Accessor& accessor);
+    void open_sparse(const Document& document, const tinygltf::Accessor& accessor);
     const unsigned char* find_element(uint64_t element) const; // null: zeros
 
     std::string name_;
@@ -56,15 +53,14 @@ private:
 // Opens each accessor once.
 class Accessors {
 public:
-    Accessors(const tinygltf::Model& model, uint64_t bytes_read)
-        : model_(model), bytes_read_(bytes_read), open_(model.accessors.size()) {}
+    explicit Accessors(const Document& document)
+        : document_(document), open_(document.model.accessors.size()) {}
 
     // Throws InputError if there is no such accessor or it is not sound.
     const Accessor& open(int index);
 
 private:
-    const tinygltf::Model& model_;
-    uint64_t bytes_read_;
+    const Document& document_;
     std::vector<std::unique_ptr<Accessor>> open_;
 };
 

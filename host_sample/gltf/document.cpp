@@ -1,93 +1,71 @@
 #include "document.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "../error.h"
+#include "container.h"
+#include "extensions.h"
 #include "files.h"
-#include "precheck.h"
+#include "json.h"
+#include "quote.h"
+#include "sources.h"
 
 namespace host::gltf {
 
 namespace {
 
-constexpr std::array supported_extensions = {"KHR_lights_punctual", "KHR_texture_transform",
-                                             "KHR_mesh_quantization", "KHR_materials_unlit",
-                                             "KHR_materials_emissive_strength"};
+using nlohmann::json;
 
-// Images are decoded later, with checked bounds and only where a material needs them. At this
-// point tinygltf has not checked the buffer view, so its bytes must not be touched.
-bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, int,
-                  const unsigned char* bytes, int size, void*) {
-    if (image->bufferView < 0 && size > 0) image->image.assign(bytes, bytes + size);
-    return true;
+// tinygltf refuses indices whose accessor has no buffer view, though zeros and sparse ones are
+// legal. Such accessors are lent one past the end; returns their numbers.
+std::vector<size_t> lend_views(json& root) {
+    std::vector<size_t> borrowers;
+    const auto accessors = root.find("accessors");
+    if (accessors == root.end() || !accessors->is_array()) return borrowers;
+    for (size_t i = 0; i < accessors->size(); ++i)
+        if ((*accessors)[i].is_object() && !(*accessors)[i].contains("bufferView"))
+            borrowers.push_back(i);
+    if (borrowers.empty()) return borrowers;
+    json& views = root["bufferViews"];
+    if (!views.is_array()) views = json::array();
+    for (const size_t i : borrowers) (*accessors)[i]["bufferView"] = views.size();
+    views.push_back({{"buffer", 0}, {"byteLength", 1}});
+    return borrowers;
 }
 
-bool is_regular(const std::string& path, void*) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(path, error);
+void take_back_views(const std::vector<size_t>& borrowers, tinygltf::Model& model) {
+    if (borrowers.empty()) return;
+    for (const size_t i : borrowers) model.accessors[i].bufferView = -1;
+    model.bufferViews.pop_back();
 }
 
-bool read_whole(std::vector<unsigned char>* out, std::string* error, const std::string& path,
-                void*) {
-    try {
-        const std::string bytes = read_regular_file(path);
-        out->assign(bytes.begin(), bytes.end());
-        return true;
-    } catch (const std::exception& failure) {
-        if (error) *error += failure.what();
-        return false;
-    }
-}
-
-std::string to_one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    while (!text.empty() && text.back() == ' ') text.pop_back();
-    constexpr size_t max_length = 300; // an error may quote a whole data URI
-    if (text.size() > max_length) text = text.substr(0, max_length) + "...";
-    return text;
-}
-
-void check_required_extensions(const tinygltf::Model& model) {
-    for (const std::string& name : model.extensionsRequired) {
-        const bool known = std::any_of(supported_extensions.begin(), supported_extensions.end(),
-                                       [&](const char* supported) { return name == supported; });
-        if (!known)
-            throw InputError("it requires the extension " + to_one_line(name)
-                             + ", which is not supported");
-    }
-}
-
-uint64_t count_bytes(const tinygltf::Model& model) {
-    uint64_t bytes = 0;
-    for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
-    for (const tinygltf::Image& image : model.images) bytes += image.image.size();
-    return bytes;
+tinygltf::Model parse_model(json root) {
+    root.erase("buffers");
+    root.erase("images");
+    const auto borrowers = lend_views(root);
+    const std::string text = root.dump();
+    tinygltf::TinyGLTF loader;
+    tinygltf::Model model;
+    std::string error, warning;
+    if (!loader.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                    static_cast<unsigned int>(text.size()), ""))
+        throw InputError(error.empty() ? "it is malformed" : quote(error, 300));
+    take_back_views(borrowers, model);
+    return model;
 }
 
 } // namespace
 
 Document parse_document(const std::string& bytes, const std::filesystem::path& folder) {
-    const bool binary = is_binary_gltf(bytes);
-    check_json(binary ? check_container(bytes) : std::string_view(bytes), binary);
-
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(&keep_encoded, nullptr);
-    loader.SetFsCallbacks(
-        {&is_regular, &tinygltf::ExpandFilePath, &read_whole, &tinygltf::WriteWholeFile, nullptr});
-    Document document;
-    std::string error, warning;
-    const auto size = static_cast<unsigned int>(bytes.size());
-    const bool read =
-        binary ? loader.LoadBinaryFromMemory(&document.model, &error, &warning,
-                                             reinterpret_cast<const unsigned char*>(bytes.data()),
-                                             size, folder.string())
-               : loader.LoadASCIIFromString(&document.model, &error, &warning, bytes.data(), size,
-                                            folder.string());
-    if (!read) throw InputError(to_one_line(error.empty() ? "it is malformed" : error));
-    check_required_extensions(document.model);
-    document.bytes_read = bytes.size() + count_bytes(document.model);
+    if (bytes.size() > max_file_bytes) throw InputError("it is larger than 2 GiB");
+    const Container container = open_container(bytes);
+    json root = parse_json(container.json);
+    check_required_extensions(root);
+    Document document{{}, {}, {}, find_extensions(root), Resources(folder), 0};
+    document.buffers = read_buffers(root, container.bin, document.resources);
+    document.images = read_images(root, document.resources);
+    document.model = parse_model(std::move(root));
+    document.bytes_read = bytes.size() + document.resources.byte_count();
     return document;
 }
 

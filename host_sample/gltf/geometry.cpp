@@ -3,7 +3,9 @@
 #include <array>
 #include <span>
 
+#include "../animation/pose.h"
 #include "../error.h"
+#include "extent.h"
 #include "mesh_parts.h"
 #include "moving.h"
 #include "placement.h"
@@ -32,12 +34,13 @@ public:
         }
         std::array<Mesh, mesh_groups> groups;
         for (const tinygltf::Primitive& primitive : source.primitives)
-            add(primitive, weights, joints, tree_.world[node_index], groups);
+            add(primitive, weights, joints, relative_to(level_.origin, tree_.world[node_index]),
+                groups);
         for (Mesh& group : groups) {
             if (group.indices.empty()) continue;
             group.name = node.name.empty() ? source.name : node.name;
             for (const glm::vec3& position : group.positions)
-                grow(level_.bounds, glm::dvec3(position));
+                grow(level_.bounds, level_.origin + glm::dvec3(position));
             level_.meshes.push_back(std::move(group));
         }
     }
@@ -47,12 +50,13 @@ private:
         const Skin skin = read_skin(model_, accessors_, index);
         std::vector<glm::dmat4> matrices;
         for (size_t i = 0; i < skin.nodes.size(); ++i)
-            matrices.push_back(tree_.world[skin.nodes[i]] * skin.inverse_bind[i]);
+            matrices.push_back(
+                relative_to(level_.origin, tree_.world[skin.nodes[i]] * skin.inverse_bind[i]));
         return matrices;
     }
 
     void add(const tinygltf::Primitive& source, std::span<const double> weights,
-             const std::vector<glm::dmat4>& joints, const glm::dmat4& world,
+             const std::vector<glm::dmat4>& joints, const glm::dmat4& place,
              std::array<Mesh, mesh_groups>& groups) {
         auto primitive = read_primitive(accessors_, source, weights, budget_, notes_);
         if (!primitive) return;
@@ -60,9 +64,10 @@ private:
         if (!joints.empty())
             influences = read_influences(accessors_, source, primitive->vertices, joints.size());
         if (influences)
-            place_skinned(*primitive, *influences, joints);
+            place_skinned(*primitive, *influences, joints,
+                          relative_to(level_.origin, glm::dmat4(1.0)));
         else
-            place_rigid(*primitive, world);
+            place_rigid(*primitive, place);
         repair_attributes(*primitive);
         append_primitive(groups[group_of(*primitive)], *primitive,
                          checked_material(model_, source.material));
@@ -78,8 +83,10 @@ private:
 
 } // namespace
 
-void import_geometry(const tinygltf::Model& model, const NodeTree& tree, Accessors& accessors,
+void import_geometry(const Document& document, const NodeTree& tree, Accessors& accessors,
                      RigBuilder& rig, Budget& budget, Level& level, Notes& notes) {
+    const tinygltf::Model& model = document.model;
+    level.origin = choose_origin(estimate_extent(document, tree, accessors));
     NodeBaker baker(model, tree, accessors, budget, level, notes);
     MovingMeshes moving(model, accessors, rig, budget, level, notes);
     for (const uint32_t node : tree.scene_nodes)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
-#include <span>
+#include <string_view>
 
 #include <stb/stb_image.h>
 
@@ -32,22 +32,29 @@ Image make_placeholder(const std::string& name) {
     return image;
 }
 
+bool begins_with(Bytes bytes, std::string_view magic, size_t offset = 0) {
+    return bytes.size() >= offset + magic.size()
+           && std::memcmp(bytes.data() + offset, magic.data(), magic.size()) == 0;
+}
+
 // The two formats of glTF; stb_image's other decoders are no place for bytes of unknown origin.
-bool is_png_or_jpeg(std::span<const unsigned char> bytes) {
-    const unsigned char png[4] = {0x89, 'P', 'N', 'G'}, jpeg[3] = {0xff, 0xd8, 0xff};
+bool is_png_or_jpeg(Bytes bytes) {
     return bytes.size() > 8
-           && (std::memcmp(bytes.data(), png, 4) == 0 || std::memcmp(bytes.data(), jpeg, 3) == 0);
+           && (begins_with(bytes, "\x89PNG") || begins_with(bytes, "\xff\xd8\xff"));
 }
 
-std::span<const unsigned char> encoded_bytes(const tinygltf::Model& model,
-                                             const tinygltf::Image& image) {
-    if (image.bufferView >= 0) return view_bytes(model, image.bufferView, "it");
-    if (image.image.empty()) throw InputError("its file cannot be read");
-    return image.image;
+std::string format_of(Bytes bytes) {
+    if (begins_with(bytes, "\xabKTX")) return "a KTX file";
+    if (begins_with(bytes, "RIFF") && begins_with(bytes, "WEBP", 8)) return "a WebP file";
+    if (begins_with(bytes, "ftypavif", 4)) return "an AVIF file";
+    if (begins_with(bytes, "DDS ")) return "a DDS file";
+    if (begins_with(bytes, "GIF8")) return "a GIF file";
+    return "of an unknown format";
 }
 
-Image decode(const std::string& name, std::span<const unsigned char> bytes, uint64_t bytes_left) {
-    if (!is_png_or_jpeg(bytes)) throw InputError("it is neither PNG nor JPEG");
+Image decode(const std::string& name, Bytes bytes, uint64_t bytes_left) {
+    if (!is_png_or_jpeg(bytes))
+        throw InputError("it is neither PNG nor JPEG, but " + format_of(bytes));
     const int size = static_cast<int>(std::min<size_t>(bytes.size(), 0x7fffffff));
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
@@ -67,25 +74,41 @@ Image decode(const std::string& name, std::span<const unsigned char> bytes, uint
 
 } // namespace
 
+ImageSource Images::find(int source) const {
+    const bool exists = source >= 0 && static_cast<size_t>(source) < document_.images.size();
+    if (!exists) return {"", -1, {}, "it does not exist"};
+    return document_.images[static_cast<size_t>(source)];
+}
+
+uint32_t Images::add(Image image) {
+    bytes_ = std::min(bytes_ + image.rgba.size(), max_total_bytes);
+    level_.images.push_back(std::move(image));
+    return static_cast<uint32_t>(level_.images.size() - 1);
+}
+
+uint32_t Images::replace(const std::string& name, const std::string& cause) {
+    notes_.add(name + " is replaced by a magenta chequerboard: " + cause);
+    const auto [it, added] = replaced_.emplace(name, 0);
+    if (added) it->second = add(make_placeholder(name));
+    return it->second;
+}
+
 uint32_t Images::open(int source) {
     const auto known = open_.find(source);
     if (known != open_.end()) return known->second;
 
-    const bool exists = source >= 0 && static_cast<size_t>(source) < model_.images.size();
+    const ImageSource found = find(source);
     std::string name = "image " + std::to_string(source);
-    Image image;
+    if (!found.name.empty()) name += " (" + found.name + ")";
+    uint32_t index = 0;
     try {
-        if (!exists) throw InputError("it does not exist");
-        const tinygltf::Image& file_image = model_.images[static_cast<size_t>(source)];
-        if (!file_image.name.empty()) name += " (" + file_image.name + ")";
-        image = decode(name, encoded_bytes(model_, file_image), max_total_bytes - bytes_);
+        if (!found.lack.empty()) throw InputError(found.lack);
+        const Bytes bytes =
+            found.buffer_view < 0 ? found.bytes : view_bytes(document_, found.buffer_view, "it");
+        index = add(decode(name, bytes, max_total_bytes - bytes_));
     } catch (const InputError& error) {
-        notes_.add(name + " is replaced by a magenta chequerboard: " + error.what());
-        image = make_placeholder(name);
+        index = replace(name, error.what());
     }
-    bytes_ = std::min(bytes_ + image.rgba.size(), max_total_bytes);
-    const auto index = static_cast<uint32_t>(level_.images.size());
-    level_.images.push_back(std::move(image));
     open_.emplace(source, index);
     return index;
 }

@@ -7,6 +7,7 @@
 #include "animation.h"
 #include "budget.h"
 #include "document.h"
+#include "extensions.h"
 #include "geometry.h"
 #include "materials.h"
 #include "node_tree.h"
@@ -24,13 +25,14 @@ Level import_document(const Document& document, const std::string& name,
     level.name = name;
     Notes notes;
     Budget budget(document.bytes_read);
-    Accessors accessors(document.model, document.bytes_read);
+    Accessors accessors(document);
+    note_ignored(document.extensions, notes);
     const NodeTree tree = build_node_tree(document.model);
     RigBuilder rig(document.model, tree,
                    import_clips(document.model, animation, accessors, budget, notes), moved,
                    level.rig);
-    import_geometry(document.model, tree, accessors, rig, budget, level, notes);
-    import_materials(document.model, level, notes);
+    import_geometry(document, tree, accessors, rig, budget, level, notes);
+    import_materials(document, level, notes);
     import_placed(document.model, tree, rig, level, notes);
     level.notes = notes.take();
     return level;

@@ -90,6 +90,7 @@ Material import_material(const tinygltf::Material& source, Textures& textures, N
         textures.use(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord,
                      pbr.baseColorTexture.extensions, true);
     apply_alpha(source, material, notes);
+    if (source.occlusionTexture.index >= 0) notes.add("occlusion textures are ignored");
     if (find_extension(source.extensions, "KHR_materials_unlit")) {
         make_unlit(material);
         return material;
@@ -105,10 +106,10 @@ Material import_material(const tinygltf::Material& source, Textures& textures, N
 
 } // namespace
 
-void import_materials(const tinygltf::Model& model, Level& level, Notes& notes) {
-    Textures textures(model, level, notes);
-    level.materials.reserve(model.materials.size());
-    for (const tinygltf::Material& source : model.materials)
+void import_materials(const Document& document, Level& level, Notes& notes) {
+    Textures textures(document, level, notes);
+    level.materials.reserve(document.model.materials.size());
+    for (const tinygltf::Material& source : document.model.materials)
         level.materials.push_back(import_material(source, textures, notes));
 }
 

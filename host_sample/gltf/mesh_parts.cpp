@@ -61,6 +61,16 @@ void grow(Bounds& bounds, const glm::dvec3& position) {
     bounds.upper = glm::max(bounds.upper, position);
 }
 
+void grow(Bounds& bounds, const Bounds& box, const glm::dmat4& place) {
+    if (box.empty()) return;
+    for (int corner = 0; corner < 8; ++corner) {
+        glm::dvec3 position;
+        for (int axis = 0; axis < 3; ++axis)
+            position[axis] = (corner >> axis & 1 ? box.upper : box.lower)[axis];
+        grow(bounds, glm::dvec3(place * glm::dvec4(position, 1.0)));
+    }
+}
+
 size_t group_of(const Primitive& primitive) {
     if (primitive.normals.empty()) return 0;
     return primitive.tangents.empty() ? 1 : 2;

@@ -32,5 +32,6 @@ const tinygltf::Mesh& checked_mesh(const tinygltf::Model& model, int mesh);
 uint32_t checked_material(const tinygltf::Model& model, int material); // no_index: the default
 
 void grow(Bounds& bounds, const glm::dvec3& position); // not by one that is not finite
+void grow(Bounds& bounds, const Bounds& box, const glm::dmat4& place);
 
 } // namespace host::gltf

@@ -4,6 +4,7 @@
 
 #include "../animation/pose.h"
 #include "../animation/skinning.h"
+#include "instancing.h"
 #include "placement.h"
 
 namespace host::gltf {
@@ -61,20 +62,51 @@ bool MovingMeshes::import_node(uint32_t node) {
     }
     const bool skinned = std::any_of(skin.nodes.begin(), skin.nodes.end(),
                                      [&](uint32_t joint) { return rig_.moves(joint); });
+    const bool deforms = skinned || rig_.morphs(node);
     const bool whole = rig_.moves(node) && skin.nodes.empty();
-    if (skinned || rig_.morphs(node))
+    const auto instances = read_instances(source, accessors_, budget_, notes_);
+    const bool instanced = instances && skin.nodes.empty() && !deforms;
+    if (instances && !instanced) notes_.add("instances of meshes that deform are drawn once");
+    if (deforms)
         add_deforming(node, skin);
+    else if (instanced)
+        add_instances(node, *instances);
     else if (whole)
         add_rigid(node);
-    return skinned || rig_.morphs(node) || whole;
+    return deforms || instanced || whole;
 }
 
-void MovingMeshes::add_rigid(uint32_t node) {
+const std::vector<size_t>& MovingMeshes::open_rigid(uint32_t node) {
     const tinygltf::Node& source = model_.nodes[node];
     const auto [entry, added] = rigid_.try_emplace({source.mesh, source.weights});
     if (added) entry->second = read_rigid(source);
+    return entry->second;
+}
+
+// Their bounds are those of the mesh's box: there may be many more of them than vertices.
+void MovingMeshes::add_instances(uint32_t node, const std::vector<glm::dmat4>& places) {
+    if (places.empty()) return;
+    std::vector<uint32_t> numbers;
+    if (rig_.moves(node))
+        for (const glm::dmat4& place : places) numbers.push_back(rig_.add_below(node, place));
+    for (const size_t index : open_rigid(node)) {
+        RigidMesh& rigid = level_.rigid_meshes[index];
+        budget_.spend(rigid.mesh.positions.size());
+        Bounds box;
+        for (const glm::vec3& position : rigid.mesh.positions) grow(box, glm::dvec3(position));
+        rigid.nodes.insert(rigid.nodes.end(), numbers.begin(), numbers.end());
+        for (const glm::dmat4& place : places) {
+            budget_.spend(1);
+            const glm::dmat4 world = rig_.world(node) * place;
+            grow(level_.bounds, box, world);
+            if (numbers.empty()) rigid.places.push_back(world);
+        }
+    }
+}
+
+void MovingMeshes::add_rigid(uint32_t node) {
     const uint32_t number = rig_.find_or_add(node);
-    for (const size_t index : entry->second) {
+    for (const size_t index : open_rigid(node)) {
         RigidMesh& rigid = level_.rigid_meshes[index];
         budget_.spend(rigid.mesh.positions.size());
         rigid.nodes.push_back(number);
@@ -102,7 +134,7 @@ std::vector<size_t> MovingMeshes::read_rigid(const tinygltf::Node& node) {
         if (group.indices.empty()) continue;
         group.name = name_of(node, source);
         indices.push_back(level_.rigid_meshes.size());
-        level_.rigid_meshes.push_back({std::move(group), {}});
+        level_.rigid_meshes.push_back({std::move(group), {}, {}});
     }
     return indices;
 }
@@ -168,12 +200,13 @@ void MovingMeshes::add_targets(const tinygltf::Primitive& source, const Primitiv
 // Bounds and winding are those of the rest pose.
 void MovingMeshes::settle(DeformingMesh& mesh, const std::vector<glm::dmat4>& rest) {
     std::vector<glm::mat4x3> joints;
-    for (const glm::dmat4& matrix : rest) joints.push_back(to_affine(matrix));
+    for (const glm::dmat4& matrix : rest)
+        joints.push_back(to_affine(relative_to(level_.origin, matrix)));
     Shape shape;
     deform(mesh, joints, level_.rig.nodes[mesh.node].weights, shape);
     size_t mirrored = 0;
     for (size_t i = 0; i < shape.positions.size(); ++i) {
-        grow(level_.bounds, glm::dvec3(shape.positions[i]));
+        grow(level_.bounds, level_.origin + glm::dvec3(shape.positions[i]));
         mirrored += mirrors(blend_joints(mesh, joints, i)) ? 1 : 0;
     }
     if (2 * mirrored <= shape.positions.size()) return;

@@ -15,8 +15,8 @@
 
 namespace host::gltf {
 
-// Imports the meshes of nodes that move: as rigid meshes, one for all nodes that show the same, or
-// as deforming ones.
+// Imports the meshes of nodes that move or are instanced: as rigid meshes, one for all nodes that
+// show the same, or as deforming ones.
 class MovingMeshes {
 public:
     MovingMeshes(const tinygltf::Model& model, Accessors& accessors, RigBuilder& rig,
@@ -24,11 +24,13 @@ public:
         : model_(model), accessors_(accessors), rig_(rig), budget_(budget), level_(level),
           notes_(notes) {}
 
-    // True if the node's mesh moves and was imported. Throws InputError.
+    // True if the node's mesh is of these and was imported. Throws InputError.
     bool import_node(uint32_t node);
 
 private:
+    const std::vector<size_t>& open_rigid(uint32_t node);
     void add_rigid(uint32_t node);
+    void add_instances(uint32_t node, const std::vector<glm::dmat4>& places);
     std::vector<size_t> read_rigid(const tinygltf::Node& node);
     void add_deforming(uint32_t node, const Skin& skin);
     void add_primitive(const tinygltf::Primitive& source, size_t joint_count,

@@ -40,7 +40,8 @@ void place_vertex(Primitive& primitive, size_t i, const Transform& transform) {
     primitive.tangents[i] = glm::vec4(direction, left_handed ? -1.0f : 1.0f);
 }
 
-glm::dmat4 blend(const Influences& influences, std::span<const glm::dmat4> joints, size_t vertex) {
+glm::dmat4 blend(const Influences& influences, std::span<const glm::dmat4> joints, size_t vertex,
+                 const glm::dmat4& otherwise) {
     glm::dmat4 sum(0.0);
     double total = 0.0;
     for (uint32_t i = influences.first[vertex]; i < influences.first[vertex + 1]; ++i) {
@@ -48,7 +49,7 @@ glm::dmat4 blend(const Influences& influences, std::span<const glm::dmat4> joint
         sum += weight * joints[influences.list[i].joint];
         total += weight;
     }
-    return total > 0.0 ? sum / total : glm::dmat4(1.0);
+    return total > 0.0 ? sum / total : otherwise;
 }
 
 } // namespace
@@ -64,10 +65,10 @@ void place_rigid(Primitive& primitive, const glm::dmat4& world) {
 }
 
 void place_skinned(Primitive& primitive, const Influences& influences,
-                   std::span<const glm::dmat4> joints) {
+                   std::span<const glm::dmat4> joints, const glm::dmat4& otherwise) {
     size_t mirrored = 0;
     for (size_t i = 0; i < primitive.positions.size(); ++i) {
-        const Transform transform(blend(influences, joints, i));
+        const Transform transform(blend(influences, joints, i, otherwise));
         place_vertex(primitive, i, transform);
         mirrored += transform.mirrors ? 1 : 0;
     }

@@ -15,9 +15,10 @@ namespace host::gltf {
 void place_rigid(Primitive& primitive, const glm::dmat4& world);
 
 // Moves each vertex by its blend of joints: world transforms times inverse bind matrices. By glTF
-// 2.0, 3.7.3.1 the transform of the node that has the mesh plays no part.
+// 2.0, 3.7.3.1 the transform of the node that has the mesh plays no part. `otherwise` is for
+// vertices without weights.
 void place_skinned(Primitive& primitive, const Influences& influences,
-                   std::span<const glm::dmat4> joints);
+                   std::span<const glm::dmat4> joints, const glm::dmat4& otherwise);
 
 // Makes clockwise triangles counter-clockwise.
 void turn_round(std::vector<uint32_t>& indices);

@@ -101,12 +101,12 @@ void morph(Accessors& accessors, const tinygltf::Primitive& source, std::span<co
     }
 }
 
+} // namespace
+
 bool is_triangles(int mode) {
     return mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP
            || mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
-
-} // namespace
 
 const Accessor* find_attribute(Accessors& accessors, const std::map<std::string, int>& attributes,
                                const char* name, uint64_t vertex_count) {

@@ -23,6 +23,8 @@ struct Primitive {
     std::vector<uint32_t> indices;
 };
 
+bool is_triangles(int mode);
+
 // Nothing for points and lines. `weights` are those of the morph targets. Throws InputError.
 std::optional<Primitive> read_primitive(Accessors& accessors, const tinygltf::Primitive& source,
                                         std::span<const double> weights, Budget& budget,

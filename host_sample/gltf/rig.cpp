@@ -61,4 +61,13 @@ uint32_t RigBuilder::find_or_add(uint32_t node) {
     return numbers_[node];
 }
 
+uint32_t RigBuilder::add_below(uint32_t node, const glm::dmat4& place) {
+    RigNode added;
+    added.name = model_.nodes[node].name;
+    added.parent = find_or_add(node);
+    added.before = place;
+    rig_.nodes.push_back(std::move(added));
+    return static_cast<uint32_t>(rig_.nodes.size() - 1);
+}
+
 } // namespace host::gltf

@@ -29,6 +29,9 @@ public:
     // The same for any node: one that does not move becomes a node of the rig that stands still.
     uint32_t find_or_add(uint32_t node);
 
+    // A node of the rig's own, at a place relative to a node of the file.
+    uint32_t add_below(uint32_t node, const glm::dmat4& place);
+
 private:
     void add_moving(const std::vector<bool>& driven, const NodeFilter& moved);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quote.h"
 #include "value.h"
 
 namespace host::gltf {
@@ -50,7 +51,7 @@ TextureUse Textures::use(int texture, int texcoord_set, const tinygltf::Extensio
     }
     const tinygltf::Texture& source = model_.textures[static_cast<size_t>(texture)];
     Texture described;
-    described.image = images_.open(source.source);
+    described.image = open_image(texture);
     described.srgb = srgb;
     apply_sampler(model_, source.sampler, described);
 
@@ -63,6 +64,19 @@ TextureUse Textures::use(int texture, int texcoord_set, const tinygltf::Extensio
         use.texcoord_set = 0;
     }
     return use;
+}
+
+// Extensions give textures images of other formats, beside the core's or alone.
+uint32_t Textures::open_image(int texture) {
+    const tinygltf::Texture& source = model_.textures[static_cast<size_t>(texture)];
+    if (source.source >= 0) return images_.open(source.source);
+    std::string name = "texture " + std::to_string(texture);
+    if (!source.name.empty()) name += " (" + quote(source.name) + ")";
+    for (const auto& [extension, value] : source.extensions)
+        if (read_index(value, "source") >= 0)
+            return images_.replace(name, "its only image is that of the extension "
+                                             + quote(extension) + ", which is not supported");
+    return images_.replace(name, "it names no image");
 }
 
 uint32_t Textures::find_or_add(const Texture& texture) {

@@ -2,9 +2,8 @@
 
 #include <map>
 
-#include <tiny_gltf.h>
-
 #include "../level.h"
+#include "document.h"
 #include "images.h"
 #include "notes.h"
 
@@ -14,13 +13,14 @@ namespace host::gltf {
 // set and KHR_texture_transform.
 class Textures {
 public:
-    Textures(const tinygltf::Model& model, Level& level, Notes& notes)
-        : model_(model), level_(level), notes_(notes), images_(model, level, notes) {}
+    Textures(const Document& document, Level& level, Notes& notes)
+        : model_(document.model), level_(level), notes_(notes), images_(document, level, notes) {}
 
     TextureUse use(int texture, int texcoord_set, const tinygltf::ExtensionMap& extensions,
                    bool srgb);
 
 private:
+    uint32_t open_image(int texture);
     uint32_t find_or_add(const Texture& texture);
 
     const tinygltf::Model& model_;

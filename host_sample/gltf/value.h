@@ -25,7 +25,8 @@ inline std::optional<double> read_number(const tinygltf::Value& object, const ch
 // -1 for anything that is no index.
 inline int read_index(const tinygltf::Value& object, const char* key) {
     const double number = read_number(object, key).value_or(-1.0);
-    return number >= 0.0 && number < 2147483648.0 ? static_cast<int>(number) : -1;
+    const bool index = number >= 0.0 && number < 2147483648.0 && number == std::trunc(number);
+    return index ? static_cast<int>(number) : -1;
 }
 
 inline glm::dvec2 read_pair(const tinygltf::Value& object, const char* key, glm::dvec2 otherwise) {

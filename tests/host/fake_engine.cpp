@@ -59,15 +59,16 @@ rt_result commit_scene(rt_scene, const rt_commit_desc* desc, rt_commit_report* r
     return RT_OK;
 }
 
-float distance_along(const rt_ray& ray, int axis, float plane) {
-    const float t = (plane - ray.origin[axis]) / ray.direction[axis];
+float distance_along(const rt_query_desc& query, const rt_ray& ray, int axis, double plane) {
+    const double origin = query.options ? query.options->origin[axis] : 0.0;
+    const float t = static_cast<float>(plane - origin - ray.origin[axis]) / ray.direction[axis];
     return t >= ray.t_min && t <= ray.t_max ? t : std::numeric_limits<float>::infinity();
 }
 
 rt_result trace_query(rt_scene, const rt_query_desc* query) {
     for (uint64_t i = 0; i < query->ray_count; ++i) {
-        const float floor = distance_along(query->rays[i], 1, 0.0f);
-        const float wall = distance_along(query->rays[i], 0, 5.0f);
+        const float floor = distance_along(*query, query->rays[i], 1, 0.0);
+        const float wall = distance_along(*query, query->rays[i], 0, 5.0);
         const bool miss = std::isinf(floor) && std::isinf(wall);
         query->hits[i] = {std::fmin(floor, wall), 0.0f, 0.0f, miss ? RT_NO_TRIANGLE : wall < floor,
                           {miss ? 0u : 1u, 1},    0,    0};

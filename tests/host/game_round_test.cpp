@@ -20,7 +20,7 @@ using game::Hands;
 using game::Round;
 using game::RoundSetup;
 
-GltfBuilder small_level() {
+GltfBuilder small_level(const glm::dvec3& place) {
     GltfBuilder builder;
     const int positions = builder.add_positions({-20, 0, -20, -20, 0, 20, 20, 0, 20, 20, 0, -20});
     const int indices =
@@ -37,6 +37,9 @@ GltfBuilder small_level() {
     put("patrol_0_0", 18, 1.8, 18);
     put("patrol_0_1", 17, 1.8, 18);
     put("crate_0", 0, -30, 0, true);
+    const int root = builder.push("nodes", {{"translation", {place.x, place.y, place.z}},
+                                            {"children", builder.json["scenes"][0]["nodes"]}});
+    builder.json["scenes"][0]["nodes"] = {root};
     return builder;
 }
 
@@ -53,10 +56,10 @@ Level props_level() {
 
 class GameRound : public testing::Test {
 protected:
-    GameRound()
+    explicit GameRound(const glm::dvec3& place = glm::dvec3(0.0))
         : plugin(ENGINE), stage(plugin.api(), 2, RT_ISA_BEST),
-          level(
-              gltf::import_bytes(small_level().glb(), "test", gltf::no_animation, game::is_moved)),
+          level(gltf::import_bytes(small_level(place).glb(), "test", gltf::no_animation,
+                                   game::is_moved)),
           player(stage, level, upload_level(stage, level, 0.1f)) {
         player.describe(0.0);
         stage.commit(RT_STRUCTURE_AUTO, RT_BUILD_BALANCED, nullptr);
@@ -99,6 +102,28 @@ TEST_F(GameRound, IsWonAndPlaysAgainTheSameWay) {
     EXPECT_FALSE(again.astray());
     EXPECT_EQ(again.record(), record);
     EXPECT_EQ(again.game().hash(), record.ticks.back().hash);
+}
+
+class FarGameRound : public GameRound {
+protected:
+    FarGameRound() : GameRound(glm::dvec3(4000000.25, 300.125, -2700000.5)) {}
+};
+
+TEST_F(FarGameRound, IsWonAndPlaysAgainTheSameWay) {
+    EXPECT_NE(level.origin, glm::dvec3(0.0));
+    const gameplay::Replay record = win();
+    Round again(stage, plan, shown(record));
+    while (again.tick({})) {
+    }
+    EXPECT_FALSE(again.astray());
+    EXPECT_EQ(again.record(), record);
+}
+
+// The same vertices relative to another origin are another level.
+TEST_F(FarGameRound, TheHashKnowsTheOrigin) {
+    const uint64_t before = plan.level;
+    level.origin.x += 1.0;
+    EXPECT_NE(game::plan_from_level(level, player.uploaded()).level, before);
 }
 
 TEST_F(GameRound, AReplayThatWasTamperedWithGoesAstray) {

@@ -57,6 +57,8 @@ public:
         return copy.dump();
     }
 
+    const std::string& bin() const { return bin_; }
+
     std::string glb() const {
         Json copy = json;
         std::string bin = bin_;

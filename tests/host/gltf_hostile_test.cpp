@@ -64,6 +64,15 @@ GltfBuilder make_rich() {
         "nodes", {{"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
     builder.json["skins"] = {{{"joints", {joint}}}};
     builder.json["nodes"][0]["children"] = {joint};
+    const int places = builder.add_positions({0, 0, 0, 1, 2, 3});
+    const int turns =
+        builder.add_accessor(std::vector<int8_t>{0, 0, 0, 127, 90, 0, 0, 90}, 5120, "VEC4", 4);
+    builder.json["accessors"][static_cast<size_t>(turns)]["normalized"] = true;
+    const Json attributes = {{"TRANSLATION", places}, {"ROTATION", turns}, {"SCALE", places}};
+    builder.json["scenes"][0]["nodes"].push_back(builder.push(
+        "nodes", {{"mesh", 0},
+                  {"translation", {3000, 0, 1e6}},
+                  {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}}}}));
     return builder;
 }
 
