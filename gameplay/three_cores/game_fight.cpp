@@ -35,8 +35,8 @@ double distance_to_body(const Vec3& from, const Vec3& to, const Capsule& body) {
 Grenade Game::throw_along(const Vec3& view) const {
     const Vec3 from = eye().position;
     const Vec3 hand = reach(world_, from, from + 0.35 * view, rules_.grenade.radius, {kSolid, {}});
-    const Vec3 velocity =
-        rules_.throw_speed * glm::normalize(view + Vec3(0, kLift, 0)) + player_.state().velocity;
+    const Vec3 velocity = rules_.throw_speed * glm::normalize(view + Vec3(0, kLift, 0))
+                          + player_.world_velocity(motions_, kTick);
     return {world_, rules_.grenade, double(tick_) * kTick, hand, velocity};
 }
 
@@ -144,7 +144,7 @@ void Game::run_drones() {
 
 void Game::shoot(const Drone& drone) {
     const double seconds = glm::distance(chest(), drone.position()) / rules_.bolt_speed;
-    const Vec3 aim = chest() + rules_.lead * seconds * player_.state().velocity;
+    const Vec3 aim = chest() + rules_.lead * seconds * player_.world_velocity(motions_, kTick);
     const Vec3 way = glm::normalize(aim - drone.position());
     ProjectileRules rules;
     rules.radius = kBoltRadius;
