@@ -20,7 +20,7 @@ struct DroneMark {
 // A place to go to.
 struct GoalMark {
     Sight sight;
-    std::string label; // "GATE"; the distance is added
+    std::string label; // "GATE"; distance and whereabouts are added
 };
 
 // "[E] open the door"; the key as the device in use calls it.
@@ -38,6 +38,7 @@ struct Hud {
     uint32_t score = 0;
     double seconds = 0.0;
     float light = 0.0f, seen = 0.0f, alarm = 0.0f;
+    bool alarmed = false; // a drone is, though `alarm` may have fallen since
     float cooking = 0.0f; // 0: no grenade in the hand
     float hurt = 0.0f;
     bool gate_open = false;

@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "game/feedback.h"
+#include "game/reckoning.h"
 #include "game/render_scale.h"
 #include "game/round.h"
 
@@ -89,13 +90,41 @@ TEST(Replays, OfOthersAreRefused) {
     EXPECT_TRUE(refuses([](gameplay::Replay& r) { r.seed = ~uint64_t{0}; }, "difficulty"));
 }
 
+TEST(Reckoning, AWinIsToldAsItWas) {
+    three_cores::Status quiet;
+    quiet.cores = quiet.cores_total = 3;
+    quiet.drones = quiet.drones_total = 6;
+    quiet.lives = 3;
+    const auto told = [&](auto change) {
+        three_cores::Status status = quiet;
+        change(status);
+        return game::story_of(status, 3);
+    };
+    const std::string silent = told([](auto&) {});
+    EXPECT_EQ(silent, "All three cores are yours, and the night keeps quiet.");
+    const auto is_quiet = [](const std::string& story) {
+        return story.find("quiet") != std::string::npos;
+    };
+    EXPECT_FALSE(is_quiet(told([](auto& s) { s.alarms = 1; })));
+    EXPECT_FALSE(is_quiet(told([](auto& s) { s.lives = 2; })));
+    EXPECT_FALSE(is_quiet(told([](auto& s) { s.drones = 4; })));
+    EXPECT_FALSE(is_quiet(told([](auto& s) { s.drones = 0, s.alarms = 2; })));
+    EXPECT_NE(told([](auto& s) { s.alarms = 4; }).find("4 times"), std::string::npos);
+    EXPECT_NE(told([](auto& s) { s.lives = 1, s.alarms = 4; }).find("last life"),
+              std::string::npos);
+    EXPECT_EQ(told([](auto& s) { s.cores = s.cores_total = 1; }).find("The core is"), 0u);
+}
+
 TEST(Feedback, TheLightTellsTheAlarm) {
-    const auto calm = game::Feedback::light_of(0), alarmed = game::Feedback::light_of(1);
-    const auto suspicious = game::Feedback::light_of(0.5);
+    const auto calm = game::Feedback::light_of(0, false);
+    const auto alarmed = game::Feedback::light_of(1, true);
+    const auto suspicious = game::Feedback::light_of(0.5, false);
     EXPECT_GT(calm.green, calm.red);
     EXPECT_GT(alarmed.red, alarmed.green);
     EXPECT_GT(suspicious.red, 0);
     EXPECT_GT(suspicious.green, 0);
+    EXPECT_EQ(game::Feedback::light_of(0.99, false), suspicious);
+    EXPECT_EQ(game::Feedback::light_of(0.2, true), alarmed); // it lasts
 }
 
 } // namespace
