@@ -1,14 +1,10 @@
 #include "user_file.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <fstream>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <nlohmann/json.hpp>
+
+#include "whole_file.h"
 
 namespace host {
 
@@ -25,29 +21,6 @@ bool read_text(const fs::path& path, std::string& text) {
     file.read(text.data(), longest);
     text.resize(static_cast<size_t>(file.gcount()));
     return !file.bad();
-}
-
-bool write_all(int file, const std::string& text) {
-    size_t done = 0;
-    while (done < text.size()) {
-        const ssize_t written = ::write(file, text.data() + done, text.size() - done);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        done += static_cast<size_t>(written);
-    }
-    return true;
-}
-
-// Returns errno, or 0.
-int write_and_rename(const fs::path& path, const std::string& text) {
-    const fs::path fresh = path.string() + ".new";
-    const int file = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (file < 0) return errno;
-    int error = write_all(file, text) && ::fsync(file) == 0 ? 0 : errno;
-    if (::close(file) != 0 && error == 0) error = errno;
-    if (error == 0 && std::rename(fresh.c_str(), path.c_str()) != 0) error = errno;
-    if (error != 0) ::unlink(fresh.c_str());
-    return error;
 }
 
 } // namespace
@@ -78,10 +51,9 @@ std::string write_user_file(const fs::path& path, const nlohmann::json& content,
     fs::create_directories(path.parent_path(), error); // a failure shows when the file is opened
     using nlohmann::json;
     const std::string text = content.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-    const int cause = write_and_rename(path, text);
-    if (cause == 0) return {};
-    return "The " + what + " cannot be kept in " + path.string() + ": " + std::strerror(cause)
-           + ".";
+    const std::string cause = write_whole_file(path, text, Durable::yes);
+    if (cause.empty()) return {};
+    return "The " + what + " cannot be kept in " + path.string() + ": " + cause + ".";
 }
 
 } // namespace host

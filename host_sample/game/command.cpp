@@ -38,12 +38,6 @@ private:
     Clock::time_point shown_{};
 };
 
-PlayerSettings settings_for(const Options& options, std::string& note) {
-    PlayerSettings settings = read_settings(settings_path(), note);
-    if (options.difficulty) settings.difficulty = *options.difficulty;
-    return settings;
-}
-
 int run_unattended(const Options& options, const gameplay::Replay* replay) {
     Arena arena(options, [](const char*, float) {});
     RoundSetup setup;
@@ -78,10 +72,10 @@ std::optional<int> run(const Options& options) {
     if (options.headless) return run_unattended(options, shown);
 
     std::string note, cause;
-    const PlayerSettings settings = settings_for(options, note);
+    const PlayerSettings settings = read_settings(settings_path(), note);
     const int width = options.sized ? static_cast<int>(options.width) : settings.width;
     const int height = options.sized ? static_cast<int>(options.height) : settings.height;
-    if (const auto window = Window::open(width, height, cause))
+    if (const auto window = Window::open("Three Cores", width, height, !options.sized, cause))
         return run_window(options, settings, note, *window, shown);
     if (!shown && !options.bot) return std::nullopt;
     std::cerr << "no window: " << cause << "; playing without one\n";

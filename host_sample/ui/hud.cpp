@@ -73,6 +73,9 @@ void draw_score(const Canvas& canvas, const Hud& hud) {
                 std::to_string(hud.drones) + " of " + std::to_string(hud.drones_total)
                     + (hud.drones_total == 1 ? " drone" : " drones"),
                 Align::right);
+    if (hud.speed >= 0.95) return;
+    canvas.text({right, canvas.px(80.0f)}, Face::small, theme::amber,
+                "time at " + std::to_string(std::lround(100.0 * hud.speed)) + " %", Align::right);
 }
 
 void draw_lives(const Canvas& canvas, const Hud& hud) {
@@ -176,7 +179,7 @@ std::vector<Box> boxes_of(const Canvas& canvas, const Hud& hud) {
     std::vector<Box> boxes = {
         {{0.0f, 0.0f}, {margin + cores, 88.0f * unit}},
         {{center.x - 130.0f * unit, 0.0f}, {center.x + 130.0f * unit, 102.0f * unit}},
-        {{size.x - margin - 150.0f * unit, 0.0f}, {size.x, 84.0f * unit}},
+        {{size.x - margin - 150.0f * unit, 0.0f}, {size.x, 104.0f * unit}},
         {{0.0f, size.y - 84.0f * unit}, size}};
     if (!hud.hint.text.empty()) boxes.push_back({{0.0f, size.y - 148.0f * unit}, size});
     return boxes;

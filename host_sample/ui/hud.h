@@ -37,6 +37,7 @@ struct Hud {
     uint32_t drones = 0, drones_total = 0;
     uint32_t score = 0;
     double seconds = 0.0;
+    double speed = 1.0; // of time; told if it is less
     float light = 0.0f, seen = 0.0f, alarm = 0.0f;
     bool alarmed = false; // a drone is, though `alarm` may have fallen since
     float cooking = 0.0f; // 0: no grenade in the hand

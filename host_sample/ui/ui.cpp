@@ -182,7 +182,7 @@ Box Ui::State::toast_box(size_t number) const {
     const float wide =
         fitted_to(*canvas, sentence).width(Face::small, sentence) + canvas->px(28.0f);
     const glm::vec2 lower(canvas->size().x - canvas->px(theme::margin) - wide,
-                          canvas->px(92.0f + 42.0f * static_cast<float>(number)));
+                          canvas->px(108.0f + 42.0f * static_cast<float>(number)));
     return {lower, lower + glm::vec2(wide, canvas->px(34.0f))};
 }
 

@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "game/feedback.h"
+#include "game/pace.h"
 #include "game/reckoning.h"
 #include "game/render_scale.h"
 #include "game/round.h"
@@ -55,6 +56,27 @@ TEST(RenderScale, TheChosenOneWins) {
     EXPECT_DOUBLE_EQ(scale.scale(), 0.8);
     EXPECT_EQ(scale.side(1000), 800u);
     EXPECT_EQ(scale.side(1), 1u);
+}
+
+TEST(Pace, TellsATimeThatIsTooSlow) {
+    const auto speed_at = [](double frame) {
+        game::Pace pace;
+        for (double time = 0; time < 10; time += frame)
+            pace.add(frame, std::min(frame, game::longest_frame));
+        return pace.speed();
+    };
+    EXPECT_DOUBLE_EQ(speed_at(1.0 / 60), 1.0);
+    EXPECT_DOUBLE_EQ(speed_at(0.11), 1.0); // nine frames a second keep the time
+    EXPECT_DOUBLE_EQ(speed_at(0.25), 1.0);
+    EXPECT_NEAR(speed_at(0.5), 0.5, 1e-9);
+    game::Pace pace;
+    pace.add(1.0 / 60, 1.0 / 60);
+    pace.add(30, game::longest_frame); // it slept
+    EXPECT_FALSE(pace.is_slow());
+    for (int i = 0; i < 10; ++i) pace.add(0.4, game::longest_frame);
+    EXPECT_TRUE(pace.is_slow());
+    for (int i = 0; i < 600; ++i) pace.add(1.0 / 60, 1.0 / 60);
+    EXPECT_FALSE(pace.is_slow());
 }
 
 TEST(RoundSeed, IsAWord) {
