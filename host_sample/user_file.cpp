@@ -30,15 +30,17 @@ nlohmann::json read_user_file(const fs::path& path, const std::string& what, std
     std::error_code error;
     if (path.empty() || !fs::exists(path, error)) return content;
     std::string text;
-    if (!fs::is_regular_file(path, error) || !read_text(path, text)) {
+    if (!fs::is_regular_file(path, error)) {
         note = "The " + what + " in " + path.string() + " cannot be read.";
         return content;
     }
+    const bool readable = read_text(path, text);
     nlohmann::json found = nlohmann::json::parse(text, nullptr, false);
-    if (found.is_object()) return found;
+    if (readable && found.is_object()) return found;
     const fs::path kept = path.string() + ".broken";
     fs::rename(path, kept, error);
-    note = "The " + what + " in " + path.string() + " are damaged and start anew"
+    note = "The " + what + " in " + path.string()
+           + (readable ? " are damaged and start anew" : " cannot be read and start anew")
            + (error ? "." : "; the old file is kept as " + kept.filename().string() + ".");
     return content;
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <iostream>
 
+#include "../stats.h"
 #include "play.h"
 #include "unattended.h"
 
@@ -50,7 +51,10 @@ int run_unattended(const Options& options, const gameplay::Replay* replay) {
         setup.seed = {options.difficulty.value_or(three_cores::Difficulty::normal),
                       options.seed.value_or(1)};
     Round round(arena.stage(), arena.plan(), setup);
-    return play_unattended(round, options.record);
+    const int status = play_unattended(round);
+    if (!options.stats.empty()) write_stats(options.stats, arena.session());
+    if (!options.record.empty()) write_replay(round.record(), options.record);
+    return status;
 }
 
 int run_window(const Options& options, const PlayerSettings& settings, const std::string& note,

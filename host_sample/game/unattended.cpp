@@ -27,7 +27,7 @@ const char* name_of(three_cores::Outcome outcome) {
 
 } // namespace
 
-int play_unattended(Round& round, const std::string& record) {
+int play_unattended(Round& round) {
     while (!is_stopped() && !round.astray() && round.game().ticks() < longest_round
            && round.tick({})) {
     }
@@ -40,8 +40,7 @@ int play_unattended(Round& round, const std::string& record) {
     }
     const three_cores::Outcome outcome = round.game().status().outcome;
     std::printf("%s %016" PRIx64 "\n", name_of(outcome), round.game().hash());
-    std::fflush(stdout); // whatever becomes of the record
-    if (!record.empty()) write_replay(round.record(), record);
+    std::fflush(stdout); // whatever becomes of what is written next
     return outcome == three_cores::Outcome::won ? 0 : 3;
 }
 
