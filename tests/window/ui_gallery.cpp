@@ -187,8 +187,9 @@ protected:
         const std::string size = std::to_string(GetParam().width) + "x"
                                  + std::to_string(GetParam().height)
                                  + (GetParam().modern ? "" : "_gl2");
-        write_picture_file(folder_ / (name + "_" + size + ".png"), static_cast<uint32_t>(window_.width()),
-                  static_cast<uint32_t>(window_.height()), after);
+        write_picture_file(folder_ / (name + "_" + size + ".png"),
+                           static_cast<uint32_t>(window_.width()),
+                           static_cast<uint32_t>(window_.height()), after);
         expect_drawn(name, before, after);
     }
 
