@@ -43,11 +43,17 @@ std::optional<Touch> Body::advance(Vec3& position, const Vec3& motion) const {
     return Touch{contact->normal, contact->point, travel / length, contact->mesh};
 }
 
-bool Body::depenetrate(Vec3& position) const {
+std::optional<Contact> Body::overlap(const Vec3& position) const {
     const Vec3 probe(0, -0.5 * rules_->skin, 0);
+    auto contact = world_.sweep(capsule(position), probe, mask_, false);
+    if (contact && !contact->initial) contact.reset();
+    return contact;
+}
+
+bool Body::depenetrate(Vec3& position) const {
     for (int i = 0; i < kMostPushes; ++i) {
-        const auto contact = world_.sweep(capsule(position), probe, mask_, false);
-        if (!contact || !contact->initial) return true;
+        const auto contact = overlap(position);
+        if (!contact) return true;
         const Vec3 before = position;
         advance(position, contact->normal * (contact->depth + rules_->skin));
         if (position == before) return false;

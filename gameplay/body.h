@@ -29,6 +29,9 @@ public:
     // Moves `position` along `motion` as far as it goes; what stopped it, if anything.
     std::optional<Touch> advance(Vec3& position, const Vec3& motion) const;
 
+    // What overlaps the body most deeply, if anything.
+    std::optional<Contact> overlap(const Vec3& position) const;
+
     // Gives way to what overlaps the body, deepest first. False if it still overlaps.
     bool depenetrate(Vec3& position) const;
 

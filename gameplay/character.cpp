@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace peregrine::gameplay {
 namespace {
@@ -84,7 +85,8 @@ Capsule Character::capsule() const {
 void Character::update(const CharacterInput& input, double seconds) {
     if (!(seconds > 0)) return;
     if (state_.height <= 0) state_.height = rules_.height;
-    const Vec3 ground_velocity = ride(input.motions) / seconds;
+    const Vec3 ridden = ride(input.motions);
+    const Vec3 ground_velocity = ridden / seconds;
     const Body body(world_, rules_, mask_, state_.height);
     state_.squeezed = !body.depenetrate(state_.position);
     take_stance(input.crouch);
@@ -98,7 +100,12 @@ void Character::update(const CharacterInput& input, double seconds) {
     if (state_.grounded)
         walk(wish, seconds, ground_velocity);
     else
-        fall(wish, seconds, input.motions);
+        fall(wish, seconds, input.motions, ridden);
+}
+
+Vec3 Character::world_velocity(std::span<const MeshMotion> motions, double seconds) const {
+    if (!state_.grounded) return state_.velocity;
+    return state_.velocity + displacement(motions, state_.ground, state_.position) / seconds;
 }
 
 // Getting up takes room: it is what a sweep of the low body upwards passes through.
@@ -114,10 +121,23 @@ void Character::take_stance(bool crouch) {
     if (!body.advance(risen, Vec3(0, rise, 0))) state_.height = rules_.height;
 }
 
-Vec3 Character::ride(std::span<const MeshMotion> motions) {
-    if (!state_.grounded) return Vec3(0);
-    const Vec3 way = displacement(motions, state_.ground, state_.position);
+// The mesh that takes it along: its ground, or in the air what moved into it.
+rt_mesh Character::carrier(std::span<const MeshMotion> motions) const {
+    if (state_.grounded || motions.empty()) return state_.ground;
     const Body body(world_, rules_, mask_, state_.height);
+    const auto overlap = body.overlap(state_.position);
+    return overlap ? overlap->mesh : rt_mesh{};
+}
+
+// What goes along with the carrier is not in the way, though it has moved already.
+Vec3 Character::ride(std::span<const MeshMotion> motions) {
+    const Vec3 way = displacement(motions, carrier(motions), state_.position);
+    if (way == Vec3(0)) return way;
+    std::vector<rt_mesh> ignored(mask_.ignored.begin(), mask_.ignored.end());
+    for (const MeshMotion& motion : motions)
+        if (carried(motion, state_.position) - state_.position == way)
+            ignored.push_back(motion.mesh);
+    const Body body(world_, rules_, {mask_.layers, ignored}, state_.height);
     body.advance(state_.position, way);
     return way;
 }
@@ -146,7 +166,9 @@ void Character::walk(const Vec3& wish, double seconds, const Vec3& ground_veloci
     }
 }
 
-void Character::fall(const Vec3& wish, double seconds, std::span<const MeshMotion> motions) {
+// `ridden`: how far it went with something else already; its own motion counts from before that.
+void Character::fall(const Vec3& wish, double seconds, std::span<const MeshMotion> motions,
+                     const Vec3& ridden) {
     const Body body(world_, rules_, mask_, state_.height);
     const Vec3 before = state_.velocity;
     Vec3 after = before;
@@ -158,13 +180,20 @@ void Character::fall(const Vec3& wish, double seconds, std::span<const MeshMotio
     state_.velocity = after;
     // The mean of both speeds: exact for a constant acceleration, so that a jump is as high at
     // every time step.
-    slide_in_air(body, state_.position, state_.velocity, (before + after) * (0.5 * seconds));
-    if (after.y > 0) return;
+    const Vec3 way = (before + after) * (0.5 * seconds);
+    slide_in_air(body, state_.position, state_.velocity, way - ridden);
+    land(after.y, seconds, motions);
+}
 
+// On ground that it falls onto, or that rises faster than it does.
+void Character::land(double rise, double seconds, std::span<const MeshMotion> motions) {
+    if (rise > 0 && motions.empty()) return;
+    const Body body(world_, rules_, mask_, state_.height);
     const auto ground =
         find_ground(body, state_.position, kLandingSkins * rules_.skin, kLandingEdge);
     if (!ground) return;
     const Vec3 ground_velocity = displacement(motions, ground->mesh, ground->position) / seconds;
+    if (rise > ground_velocity.y) return;
     state_.position = ground->position;
     state_.velocity = horizontal(state_.velocity - ground_velocity);
     state_.ground_normal = ground->normal;

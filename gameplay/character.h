@@ -71,11 +71,17 @@ public:
     // The capsule as it is now.
     Capsule capsule() const;
 
+    // Its velocity with that of what carries it, which went as `motions` say in an update.
+    Vec3 world_velocity(std::span<const MeshMotion> motions, double seconds) const;
+
 private:
     void take_stance(bool crouch);
+    rt_mesh carrier(std::span<const MeshMotion> motions) const;
     Vec3 ride(std::span<const MeshMotion> motions); // returns how far it was carried
     void walk(const Vec3& wish, double seconds, const Vec3& ground_velocity);
-    void fall(const Vec3& wish, double seconds, std::span<const MeshMotion> motions);
+    void fall(const Vec3& wish, double seconds, std::span<const MeshMotion> motions,
+              const Vec3& ridden);
+    void land(double rise, double seconds, std::span<const MeshMotion> motions);
     void leave_ground(const Vec3& ground_velocity);
 
     World world_;

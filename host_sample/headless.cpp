@@ -1,5 +1,6 @@
 #include "headless.h"
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 
@@ -7,6 +8,7 @@
 #include "exposure.h"
 #include "flight.h"
 #include "image_file.h"
+#include "stop.h"
 
 namespace host {
 
@@ -16,10 +18,16 @@ constexpr uint32_t flight_frames = 24;
 constexpr double flight_step = 0.2; // seconds that a frame of the flight stands for
 constexpr double still_step = 1.0 / 30.0;
 
+uint32_t scaled(const Options& options, uint32_t side) {
+    return std::max(1u,
+                    static_cast<uint32_t>(static_cast<float>(side) * options.scale.value_or(1.0f)));
+}
+
 class PictureMaker {
 public:
     explicit PictureMaker(Session& session)
-        : session_(session), frame_(session.frame(session.options.width, session.options.height)),
+        : session_(session), frame_(session.frame(scaled(session.options, session.options.width),
+                                                  scaled(session.options, session.options.height))),
           pixels_(size_t{4} * frame_.width * frame_.height) {
         session.width = frame_.width;
         session.height = frame_.height;
@@ -35,7 +43,7 @@ public:
     }
 
     void write(const std::string& path) const {
-        write_png(path, frame_.width, frame_.height, pixels_);
+        write_picture_file(path, frame_.width, frame_.height, pixels_);
     }
 
     void show_progress(uint32_t done, uint32_t count) const {
@@ -66,7 +74,7 @@ void advance(Session& session, uint32_t frame, double step) {
 void run_still(Session& session, uint32_t frames, const std::optional<NumberedName>& numbered) {
     PictureMaker maker(session);
     maker.expose(session.viewpoint());
-    for (uint32_t i = 0; i < frames; ++i) {
+    for (uint32_t i = 0; i < frames && !is_stopped(); ++i) {
         advance(session, i, still_step);
         maker.render(session.viewpoint());
         if (numbered) maker.write(numbered->at(i));
@@ -83,7 +91,7 @@ void run_flight(Session& session, const std::string& pattern) {
     if (!numbered) throw InputError("the picture name " + pattern + " has no place for a number");
     const uint32_t frames = session.options.frames.value_or(flight_frames);
     PictureMaker maker(session);
-    for (uint32_t i = 0; i < frames; ++i) {
+    for (uint32_t i = 0; i < frames && !is_stopped(); ++i) {
         // A single stop comes full circle, so its last frame must not repeat the first.
         const uint32_t whole = session.cameras.size() == 1 ? frames : std::max(frames, 2u) - 1;
         advance(session, i, flight_step);
@@ -104,7 +112,7 @@ void run_flight(Session& session, const std::string& pattern) {
 void run_headless(Session& session) {
     const Options& options = session.options;
     if (options.out.empty()) {
-        run_flight(session, "out/frame_%04d.png");
+        run_flight(session, flight_pictures);
         return;
     }
     const auto numbered = NumberedName::parse(options.out);
@@ -119,7 +127,7 @@ void write_picture(const Session& session, const Viewpoint& viewpoint, const Fra
                    const std::string& path) {
     std::vector<uint8_t> pixels(size_t{4} * frame.width * frame.height);
     session.stage.render(viewpoint, frame, pixels.data());
-    write_png(path, frame.width, frame.height, pixels);
+    write_picture_file(path, frame.width, frame.height, pixels);
 }
 
 } // namespace host

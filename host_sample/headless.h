@@ -4,6 +4,8 @@
 
 namespace host {
 
+inline const std::string flight_pictures = "out/frame_%04d.png";
+
 // Renders without a window what the options ask for: pictures of one camera to --out, or a
 // fly-through of all cameras to out/. Throws InputError or EngineError.
 void run_headless(Session& session);

@@ -10,12 +10,14 @@
 #include "headless.h"
 #include "loading.h"
 #include "options.h"
+#include "outputs.h"
 #include "pads/linux_hid.h"
 #include "pads/listing.h"
 #include "pads/player_mappings.h"
 #include "plugin.h"
 #include "session.h"
 #include "stats.h"
+#include "stop.h"
 #include "viewer.h"
 #include "window.h"
 
@@ -57,14 +59,14 @@ void show(Session& session) {
         return;
     }
     std::string cause;
-    const auto window =
-        Window::open(static_cast<int>(options.width), static_cast<int>(options.height), cause);
+    const auto window = Window::open("Peregrine", static_cast<int>(options.width),
+                                     static_cast<int>(options.height), false, cause);
     if (window) {
         run_viewer(session, *window);
         return;
     }
     std::cerr << "no window: " << cause << "; rendering a fly-through instead\n";
-    run_flight(session, "out/frame_%04d.png");
+    run_flight(session, flight_pictures);
 }
 
 int list_pads(const Options& options) {
@@ -97,6 +99,8 @@ int view(const Options& options) {
 
 int run(const Options& options) {
     if (options.list_pads) return list_pads(options);
+    if (!options.list_cameras) check_outputs(options);
+    stop_on_signals();
     if (options.game())
         if (const auto status = game::run(options)) return *status;
     return view(options);

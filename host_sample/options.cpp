@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "error.h"
+#include "image_file.h"
 
 #ifndef PEREGRINE_VERSION
 #define PEREGRINE_VERSION "0.1.0"
@@ -130,13 +131,15 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
         ->check(CLI::Range(0.0, 1e6));
     app.add_option("--size", texts.size, "WIDTHxHEIGHT of the frame, in pixels [1280x720]");
     app.add_option("--scale", options.scale,
-                   "frame size as a part of the window's [game: as its options say; else 1]")
+                   "frame size as a part of the window's, or of --size without one [game: as its "
+                   "options say; else 1]")
         ->check(CLI::Range(0.25, 1.0));
     app.add_option("--frames", texts.frames,
                    "frames to render, then quit [window: until closed; --out: 1; else 24]")
         ->check(CLI::Range(1u, 1000000u));
     app.add_option("--out", options.out,
-                   "PNG file to write, with --headless; a %d or %04d in its name writes every "
+                   "picture to write, with --headless, PNG, JPEG, BMP or TGA by its name; a %d or "
+                   "%04d in its name writes every "
                    "frame: of --camera, or else of the fly-through");
     app.add_flag("--headless", options.headless,
                  "no window: write --out, or else a fly-through of all cameras to out/");
@@ -201,6 +204,11 @@ void interpret(const CLI::App& app, const Texts& texts, Options& options) {
         options.isa = find_value(isas, texts.isa, "--isa");
     else if (variable && *variable)
         options.isa = find_value(isas, variable, "PEREGRINE_ISA");
+    if (!options.out.empty() && !is_picture_name(options.out))
+        throw InputError(
+            "--out writes PNG, JPEG, BMP and TGA files: let its name end in .png, .jpg, "
+            ".bmp or .tga, not as \""
+            + options.out + "\" does");
     if (!options.out.empty() && !options.headless)
         throw InputError("--out needs --headless; in a window, F12 writes a screenshot");
     interpret_game(options);

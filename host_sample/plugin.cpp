@@ -5,6 +5,7 @@
 
 #include <dlfcn.h>
 
+#include "elf_check.h"
 #include "error.h"
 #include "manifest.h"
 #include "paths.h"
@@ -58,6 +59,8 @@ void Plugin::open() {
         std::error_code error;
         if (!std::filesystem::exists(name, error))
             throw InputError("the engine library " + path_ + " does not exist");
+        if (const std::string mistake = find_elf_mistake(name); !mistake.empty())
+            throw InputError("the engine library " + path_ + " cannot be loaded: it " + mistake);
     }
     library_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library_) return;

@@ -133,6 +133,11 @@ void Presenter::upload(const void* pixels, uint32_t width, uint32_t height) {
 void Presenter::show(const void* pixels, uint32_t width, uint32_t height, int window_width,
                      int window_height, float exposure, bool map_tones) {
     upload(pixels, width, height);
+    repeat(window_width, window_height, exposure, map_tones);
+}
+
+void Presenter::repeat(int window_width, int window_height, float exposure, bool map_tones) {
+    glBindTexture(GL_TEXTURE_2D, texture_);
     glViewport(0, 0, window_width, window_height);
     gl_.UseProgram(program_);
     if (exposure_ >= 0) gl_.Uniform1f(exposure_, exposure);

@@ -22,6 +22,9 @@ public:
     void show(const void* pixels, uint32_t width, uint32_t height, int window_width,
               int window_height, float exposure, bool map_tones);
 
+    // What was shown last, once more.
+    void repeat(int window_width, int window_height, float exposure, bool map_tones);
+
 private:
     void upload(const void* pixels, uint32_t width, uint32_t height);
 

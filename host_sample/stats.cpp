@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "error.h"
+#include "whole_file.h"
 
 namespace host {
 
@@ -121,10 +122,8 @@ std::string describe_stats(const Session& session) {
 }
 
 void write_stats(const std::string& path, const Session& session) {
-    std::ofstream stream(path);
-    stream << describe_stats(session);
-    stream.close();
-    if (!stream) throw InputError("the statistics " + path + " cannot be written");
+    const std::string cause = write_whole_file(path, describe_stats(session));
+    if (!cause.empty()) throw InputError("the statistics " + path + " cannot be written: " + cause);
 }
 
 } // namespace host

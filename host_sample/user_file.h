@@ -13,8 +13,8 @@ namespace host {
 nlohmann::json read_user_file(const std::filesystem::path& path, const std::string& what,
                               std::string& note);
 
-// To a temporary file beside it that then takes its place, so that one or the other is whole at any
-// time. Returns a sentence if it cannot be written, else nothing.
+// Whole, and on the disk when it returns (whole_file.h). Returns a sentence if it cannot be
+// written, else nothing.
 std::string write_user_file(const std::filesystem::path& path, const nlohmann::json& content,
                             const std::string& what);
 

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 
+#include "error.h"
 #include "exposure.h"
 #include "headless.h"
 #include "image_file.h"
 #include "presenter.h"
 #include "probe.h"
+#include "stop.h"
 #include "walker.h"
 
 namespace host {
@@ -46,7 +47,7 @@ public:
 
     void run() {
         auto before = Clock::now();
-        while (!window_.closing() && !done()) {
+        while (!window_.closing() && !is_stopped() && !done()) {
             const auto now = Clock::now();
             const double seconds = std::chrono::duration<double>(now - before).count();
             before = now;
@@ -105,8 +106,8 @@ private:
     void show_frame() {
         int width = 0, height = 0;
         window_.framebuffer_size(width, height);
-        if (width < 1 || height < 1) { // minimised
-            window_.present();
+        if (window_.minimised() || width < 1 || height < 1) {
+            window_.rest(0.1);
             return;
         }
         Frame frame = frame_of(width, height);
@@ -137,16 +138,19 @@ private:
         window_.set_title(title);
     }
 
-    // Rendered once more with the engine's own tone mapping.
+    // Rendered once more with the engine's own tone mapping. The viewer goes on if it cannot be
+    // written.
     void write_screenshot() const {
         int width = 0, height = 0;
         window_.framebuffer_size(width, height);
         if (width < 1 || height < 1) return;
-        const auto names = NumberedName::parse("screenshot_%04d.png");
-        uint32_t number = 0;
-        while (std::filesystem::exists(names->at(number))) ++number;
-        write_picture(session_, walker_.viewpoint(), frame_of(width, height), names->at(number));
-        if (!session_.options.quiet) std::cout << "wrote " << names->at(number) << std::endl;
+        try {
+            const std::string name = free_screenshot_name();
+            write_picture(session_, walker_.viewpoint(), frame_of(width, height), name);
+            if (!session_.options.quiet) std::cout << "wrote " << name << std::endl;
+        } catch (const InputError& error) {
+            std::cerr << "peregrine_play: " << error.what() << std::endl;
+        }
     }
 
     Session& session_;

@@ -1,5 +1,6 @@
 #include "window.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 
@@ -9,7 +10,7 @@ namespace host {
 
 namespace {
 
-GLFWwindow* create(int width, int height, bool modern) {
+GLFWwindow* create(const char* title, int width, int height, bool modern) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, modern ? 3 : 2);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, modern ? 3 : 1);
@@ -17,13 +18,44 @@ GLFWwindow* create(int width, int height, bool modern) {
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     }
-    return glfwCreateWindow(width, height, "Peregrine", nullptr, nullptr);
+    return glfwCreateWindow(width, height, title, nullptr, nullptr);
 }
 
 std::string last_error() {
     const char* description = nullptr;
     glfwGetError(&description);
     return description ? description : "no cause is known";
+}
+
+struct Area {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool contains(int px, int py) const {
+        return px >= x && px < x + width && py >= y && py < y + height;
+    }
+};
+
+Area work_area(GLFWmonitor* monitor) {
+    Area area;
+    if (monitor) glfwGetMonitorWorkarea(monitor, &area.x, &area.y, &area.width, &area.height);
+    return area;
+}
+
+// Of the screen that has the middle of the window, or of the first one.
+Area work_area_of(GLFWwindow* window) {
+    int x = 0, y = 0, width = 0, height = 0, count = 0;
+    glfwGetWindowPos(window, &x, &y);
+    glfwGetWindowSize(window, &width, &height);
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        const Area area = work_area(monitors[i]);
+        if (area.contains(x + width / 2, y + height / 2)) return area;
+    }
+    return work_area(glfwGetPrimaryMonitor());
+}
+
+void fit(const Area& area, int& width, int& height) {
+    if (area.width > 0) width = std::min(width, area.width);
+    if (area.height > 0) height = std::min(height, area.height);
 }
 
 bool has_display() {
@@ -90,7 +122,8 @@ Window& of(GLFWwindow* window) {
 
 } // namespace
 
-std::unique_ptr<Window> Window::open(int width, int height, std::string& cause) {
+std::unique_ptr<Window> Window::open(const std::string& title, int width, int height, bool fits,
+                                     std::string& cause) {
     if (!has_display()) {
         cause = "there is no display";
         return nullptr;
@@ -99,11 +132,12 @@ std::unique_ptr<Window> Window::open(int width, int height, std::string& cause) 
         cause = "no window system can be used (" + last_error() + ")";
         return nullptr;
     }
+    if (fits) fit(work_area(glfwGetPrimaryMonitor()), width, height);
     bool modern = true;
-    GLFWwindow* window = create(width, height, true);
+    GLFWwindow* window = create(title.c_str(), width, height, true);
     if (!window) {
         modern = false;
-        window = create(width, height, false);
+        window = create(title.c_str(), width, height, false);
     }
     if (!window) {
         cause = "no window can be opened (" + last_error() + ")";
@@ -203,7 +237,26 @@ void Window::set_fullscreen(bool fullscreen) {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+void Window::largest(int& width, int& height) const {
+    width = height = 16384;
+    fit(work_area_of(window_), width, height);
+    if (glfwGetWindowMonitor(window_)) return;
+    int left = 0, top = 0, right = 0, bottom = 0; // of what the system draws around it
+    glfwGetWindowFrameSize(window_, &left, &top, &right, &bottom);
+    width -= left + right;
+    height -= top + bottom;
+}
+
+bool Window::minimised() const {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0
+           || glfwGetWindowAttrib(window_, GLFW_VISIBLE) == 0;
+}
+
 void Window::resize(int width, int height) {
+    int most_width = 0, most_height = 0;
+    largest(most_width, most_height);
+    width = std::min(width, most_width);
+    height = std::min(height, most_height);
     place_[2] = width;
     place_[3] = height;
     if (!glfwGetWindowMonitor(window_)) glfwSetWindowSize(window_, width, height);
@@ -212,6 +265,15 @@ void Window::resize(int width, int height) {
 void Window::present() {
     glfwSwapBuffers(window_);
     glfwPollEvents();
+}
+
+void Window::rest(double seconds) {
+    const double end = glfwGetTime() + seconds;
+    double left = seconds;
+    do {
+        glfwWaitEventsTimeout(std::max(left, 0.0));
+        left = end - glfwGetTime();
+    } while (left > 0.0 && !desk_.pressed.any() && !closing());
 }
 
 Desk Window::take_desk() {

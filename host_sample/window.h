@@ -12,8 +12,10 @@ namespace host {
 // A window with a GL context, and the mouse and keyboard that belong to it.
 class Window {
 public:
-    // Null, and a sentence why, if there is no display or no usable GL.
-    static std::unique_ptr<Window> open(int width, int height, std::string& cause);
+    // Null, and a sentence why, if there is no display or no usable GL. With `fits` no larger than
+    // the screen has room for.
+    static std::unique_ptr<Window> open(const std::string& title, int width, int height, bool fits,
+                                        std::string& cause);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -24,8 +26,13 @@ public:
     void framebuffer_size(int& width, int& height) const;
     void set_title(const std::string& title);
     void set_fullscreen(bool fullscreen);
-    void resize(int width, int height); // also what a full screen goes back to
-    void present();                     // swaps and polls
+    // Also what a full screen goes back to. No larger than the screen has room for.
+    void resize(int width, int height);
+    void largest(int& width, int& height) const; // of a window on the screen that it is on
+    bool minimised() const;                      // nobody sees it
+    void present();                              // swaps and polls
+    // Sleeps for so long, but for input.
+    void rest(double seconds);
 
     Desk take_desk(); // and begins anew
     bool captured() const { return desk_.captured; }

@@ -20,6 +20,7 @@ constexpr double kDoorGap = 1.3; // m round a hinge that a closing leaf keeps cl
 constexpr double kGateSeconds = 4;
 constexpr uint32_t kLightEvery = 6; // ticks
 constexpr double kLightFollows = 3; // 1/s
+constexpr uint32_t kDeeds = kJump | kThrow | kUse;
 
 // A grille rises by its height, less a little that stays in sight.
 Vec3 rise(const Part& part) {
@@ -41,7 +42,6 @@ Game::Game(const rt_api& api, rt_scene scene, const Plan& plan, const Settings& 
     Random random(settings.seed);
     for (const std::vector<Vec3>& round : plan.patrols)
         if (!round.empty()) drones_.emplace_back(round, 5 * random.uniform());
-    watch_.reset(drones_.size(), 1);
     status_.lives = rules_.lives;
     status_.grenades = rules_.grenades;
     begin_again();
@@ -57,6 +57,7 @@ void Game::tick(const TickInput& input) {
     held_ = buttons_;
     buttons_ = input.buttons & kButtons;
     view_ = {input.view[0], input.view[1], input.view[2]};
+    idle_ = idle_ && input.walk[0] == 0 && input.walk[1] == 0 && !(buttons_ & kDeeds);
     if (is_pressed(kUse)) use();
     move_parts();
     commit();
@@ -179,7 +180,9 @@ void Game::begin_again() {
     player_.place(spawn.feet + Vec3(0, 0.02, 0));
     view_ = spawn.forward;
     cooking_since_ = 0;
+    idle_ = true;
     bolts_.clear();
+    watch_.reset(drones_.size(), 1);
 }
 
 void Game::finish(Outcome outcome) {
@@ -197,16 +200,18 @@ void Game::measure() {
     status_.cooking =
         cooking_since_ ? double(tick_ - cooking_since_ + 1) * kTick / rules_.fuse_seconds : 0;
     if (tick_ % kLightEvery == 0) {
-        const double light = light_.measure(world_, chest());
+        const double light = light_.measure(world_, chest(), glows());
         const double part = tick_ == 0 ? 1 : kLightFollows * kTick * kLightEvery;
         status_.light += std::min(part, 1.0) * (light - status_.light);
     }
     status_.seen = status_.alarm = status_.charge = 0;
+    status_.alarmed = false;
     for (size_t i = 0; i < drones_.size(); ++i) {
         if (drones_[i].is_disabled()) continue;
         status_.seen = std::max(status_.seen, watch_.notice(i, 0).visibility);
         status_.alarm = std::max(status_.alarm, drones_[i].suspicion());
         status_.charge = std::max(status_.charge, drones_[i].charge());
+        status_.alarmed |= drones_[i].mood() == Mood::alarmed;
     }
     status_.use = usable();
     status_.score = score();
@@ -219,7 +224,17 @@ uint32_t Game::score() const {
     constexpr double kPar = 600; // s
     score += uint32_t(5 * std::max(0.0, kPar - status_.seconds));
     score += 500 * status_.lives + 100 * status_.grenades;
-    return alarms_ == 0 ? score + 2000 : score;
+    return status_.alarms == 0 ? score + 2000 : score;
+}
+
+std::vector<Glow> Game::glows() const {
+    std::vector<Glow> glows;
+    for (const Drone& drone : drones_)
+        if (!drone.is_disabled()) glows.push_back(beam_of(drone, rules_.sentry));
+    for (const Core& core : cores_)
+        if (!core.taken) glows.push_back(glow_of_core(core.position));
+    for (const Blast& blast : blasts_) glows.push_back(glow_of(blast, tick_));
+    return glows;
 }
 
 Eye Game::eye() const {
@@ -249,6 +264,10 @@ uint64_t Game::hash() const {
         thrown.ball.add_to(hash);
         hash.add(thrown.end);
     }
+    for (const Blast& blast : blasts_) {
+        hash.add(blast.point);
+        hash.add(blast.tick);
+    }
     for (const Door& door : doors_) door.add_to(hash);
     for (const Lift& lift : lifts_) lift.add_to(hash);
     for (const Platform& gate : gates_) gate.add_to(hash);
@@ -261,10 +280,11 @@ uint64_t Game::hash() const {
     hash.add(status_.light);
     hash.add(stride_);
     hash.add(spawn_);
-    hash.add(alarms_);
+    hash.add(status_.alarms);
     hash.add(buttons_);
     hash.add(cooking_since_);
     hash.add(safe_until_);
+    hash.add(uint32_t(idle_));
     return hash.value();
 }
 

@@ -4,6 +4,7 @@
 #include "gameplay/three_cores/crate.h"
 #include "gameplay/three_cores/door.h"
 #include "gameplay/three_cores/drone.h"
+#include "gameplay/three_cores/glow.h"
 #include "gameplay/three_cores/lift.h"
 #include "gameplay/three_cores/light_meter.h"
 #include "gameplay/three_cores/plan.h"
@@ -51,12 +52,14 @@ struct Status {
     double seconds = 0;
     double light = 0;   // on the player, 0 to 1
     double seen = 0;    // how much of the player the keenest drone sees, 0 to 1
-    double alarm = 0;   // the highest suspicion, 0 to 1
+    double alarm = 0;   // the highest suspicion, 0 to 1; falls while `alarmed` lasts
     double cooking = 0; // how much of the fuse is burnt of the grenade in the hand; 0: none there
     double charge = 0;  // how near the next shot is, 0 to 1
     double hurt = 0;    // 1 when just hit, back to 0 in a second
     bool open = false;  // the gate: all cores are taken
     Use use = Use::nothing; // what the button does here
+    bool alarmed = false;   // a drone is
+    uint32_t alarms = 0;    // how often one became so
 };
 
 struct Eye {
@@ -101,6 +104,7 @@ public:
     std::span<const Door> doors() const { return doors_; }
     std::span<const Core> cores() const { return cores_; }
     std::span<const Thrown> thrown() const { return thrown_; }
+    std::vector<Glow> glows() const;                          // what shines of it now
     std::span<const Event> events() const { return events_; } // of the last tick
     const Plan& plan() const { return plan_; }
     const Rules& rules() const { return rules_; }
@@ -130,6 +134,7 @@ private:
     void finish(Outcome outcome);
     void measure();
     uint32_t score() const;
+    bool is_waited_for() const { return rules_.is_patient && idle_; }
     bool is_pressed(Button button) const { return (buttons_ & ~held_ & button) != 0; }
     void say(Sound sound, const Vec3& point, double strength = 1);
     void make_noise(const Vec3& point, double radius);
@@ -153,16 +158,17 @@ private:
     std::vector<Bolt> bolts_;
     std::vector<Core> cores_;
     std::vector<Thrown> thrown_;
+    std::vector<Blast> blasts_; // that still shine
     std::vector<gameplay::MeshMotion> motions_;
     std::vector<Event> events_;
     Status status_;
     Vec3 view_{0, 0, -1};
     LightMeter light_;
     uint64_t tick_ = 0;
-    uint64_t cooking_since_ = 0; // tick; 0: no grenade in the hand
-    uint64_t safe_until_ = 0;    // tick: after a hit nobody is hit again
-    uint32_t spawn_ = 0;         // where to begin again
-    uint32_t alarms_ = 0;
+    uint64_t cooking_since_ = 0;      // tick; 0: no grenade in the hand
+    uint64_t safe_until_ = 0;         // tick: after a hit nobody is hit again
+    bool idle_ = true;                // since the player begins, or begins again
+    uint32_t spawn_ = 0;              // where to begin again
     double stride_ = 0;               // m since the last step
     uint32_t buttons_ = 0, held_ = 0; // of this tick and of the one before
 };

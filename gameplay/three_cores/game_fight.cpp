@@ -35,8 +35,8 @@ double distance_to_body(const Vec3& from, const Vec3& to, const Capsule& body) {
 Grenade Game::throw_along(const Vec3& view) const {
     const Vec3 from = eye().position;
     const Vec3 hand = reach(world_, from, from + 0.35 * view, rules_.grenade.radius, {kSolid, {}});
-    const Vec3 velocity =
-        rules_.throw_speed * glm::normalize(view + Vec3(0, kLift, 0)) + player_.state().velocity;
+    const Vec3 velocity = rules_.throw_speed * glm::normalize(view + Vec3(0, kLift, 0))
+                          + player_.world_velocity(motions_, kTick);
     return {world_, rules_.grenade, double(tick_) * kTick, hand, velocity};
 }
 
@@ -78,6 +78,7 @@ void Game::fly_grenades() {
             make_noise(bounce.contact.point, std::min(1.5 * bounce.approach, 10.0));
         }
     }
+    std::erase_if(blasts_, [&](const Blast& blast) { return tick_ >= blast.tick + kBlastTicks; });
     std::vector<Vec3> blasts;
     std::erase_if(thrown_, [&](const Thrown& thrown) {
         if (thrown.end > tick_) return false;
@@ -94,6 +95,7 @@ void Game::blast(const Vec3& point) {
         return glm::distance(middle, place) < radius && world_.is_free(middle, place, solid);
     };
     say(Sound::blast, point);
+    blasts_.push_back({point, tick_});
     for (Drone& drone : drones_) {
         if (drone.is_disabled() || !reaches(drone.position(), rules_.blast_radius)) continue;
         const auto floor = world_.closest(drone.position(), Vec3(0, -50, 0), solid);
@@ -120,6 +122,7 @@ std::vector<Sentry> Game::sentries() const {
 }
 
 void Game::make_noise(const Vec3& point, double radius) {
+    if (is_waited_for()) return;
     watch_.hear(world_, sentries(), {point, radius, 0}, {kSolid, {}});
 }
 
@@ -127,7 +130,7 @@ void Game::run_drones() {
     const CharacterState& state = player_.state();
     Target target{state.position, state.height, rules_.character.radius};
     target.conspicuous = 0.2 + 0.8 * status_.light;
-    if (tick_ >= safe_until_) // nobody looks for who was just hit
+    if (tick_ >= safe_until_ && !is_waited_for()) // nobody looks for who was just hit
         watch_.update(world_, sentries(), {&target, 1}, kTick, {kSolid, {}});
     for (size_t i = 0; i < drones_.size(); ++i) {
         Drone& drone = drones_[i];
@@ -136,7 +139,7 @@ void Game::run_drones() {
         if (shoots) shoot(drone);
         if (drone.mood() == before || drone.mood() == Mood::calm) continue;
         const bool alarmed = drone.mood() == Mood::alarmed;
-        alarms_ += alarmed;
+        status_.alarms += alarmed;
         if (alarmed || before == Mood::calm)
             say(alarmed ? Sound::alarm : Sound::noticed, drone.position());
     }
@@ -144,7 +147,7 @@ void Game::run_drones() {
 
 void Game::shoot(const Drone& drone) {
     const double seconds = glm::distance(chest(), drone.position()) / rules_.bolt_speed;
-    const Vec3 aim = chest() + rules_.lead * seconds * player_.state().velocity;
+    const Vec3 aim = chest() + rules_.lead * seconds * player_.world_velocity(motions_, kTick);
     const Vec3 way = glm::normalize(aim - drone.position());
     ProjectileRules rules;
     rules.radius = kBoltRadius;
@@ -177,7 +180,6 @@ void Game::hurt() {
     status_.hurt = 1;
     if (--status_.lives == 0) return finish(Outcome::lost);
     safe_until_ = tick_ + kSafeTicks;
-    watch_.reset(drones_.size(), 1);
     begin_again();
 }
 

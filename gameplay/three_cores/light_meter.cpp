@@ -10,6 +10,7 @@ namespace peregrine::three_cores {
 namespace {
 
 constexpr double kHalf = 0.9;   // lux that make half of it
+constexpr double kLeast = 0.01; // lux that are worth a ray
 constexpr double kSunWay = 500; // m
 
 // What would fall on a place if nothing were between, as frames show it: rt.h has the formulas at
@@ -35,21 +36,31 @@ double illuminance(const Lamp& lamp, const Vec3& place, Vec3& to) {
 
 } // namespace
 
-double LightMeter::measure(const gameplay::World& world, const Vec3& place) {
+void LightMeter::add(const Lamp& lamp, const Vec3& place) {
+    Vec3 way;
+    const double lux = illuminance(lamp, place, way);
+    if (lux < kLeast) return;
+    from_.push_back(place);
+    to_.push_back(place + 0.98 * way); // lamps hang in their own glass
+    lux_.push_back(lux);
+}
+
+double LightMeter::measure(const gameplay::World& world, const Vec3& place,
+                           std::span<const Glow> glows) {
     from_.clear();
     to_.clear();
     lux_.clear();
-    for (const Lamp& lamp : lamps_) {
+    double sum = 0;
+    for (const Lamp& lamp : lamps_) add(lamp, place);
+    for (const Glow& glow : glows) {
         Vec3 way;
-        const double lux = illuminance(lamp, place, way);
-        if (lux < 0.01) continue;
-        from_.push_back(place);
-        to_.push_back(place + 0.98 * way); // lamps hang in their own glass
-        lux_.push_back(lux);
+        if (glow.casts_shadow)
+            add(glow.lamp, place);
+        else
+            sum += illuminance(glow.lamp, place, way);
     }
     clear_.resize(from_.size());
     if (!from_.empty()) world.lines_of_sight(place, from_, to_, {kSolid, {}}, clear_);
-    double sum = 0;
     for (size_t i = 0; i < lux_.size(); ++i)
         if (clear_[i]) sum += lux_[i];
     return sum / (sum + kHalf);

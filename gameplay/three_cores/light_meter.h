@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gameplay/three_cores/plan.h"
+#include "gameplay/three_cores/glow.h"
 
 #include <span>
 #include <vector>
@@ -13,9 +13,12 @@ class LightMeter {
 public:
     explicit LightMeter(std::span<const Lamp> lamps) : lamps_(lamps.begin(), lamps.end()) {}
 
-    double measure(const gameplay::World& world, const Vec3& place);
+    // `glows`: what shines now beside the lamps.
+    double measure(const gameplay::World& world, const Vec3& place, std::span<const Glow> glows);
 
 private:
+    void add(const Lamp& lamp, const Vec3& place);
+
     std::vector<Lamp> lamps_;
 
     // The batch, kept for its memory.

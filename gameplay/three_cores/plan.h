@@ -38,6 +38,11 @@ struct Lamp {
     double cos_inner = 1, cos_outer = 0.7;
 };
 
+// Of linear RGB (ITU-R BT.709).
+inline double luminance(const Vec3& color) {
+    return 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z;
+}
+
 // A round whose ends are nearer than this is flown as a loop.
 constexpr double kLoopDistance = 9; // metres
 

@@ -16,6 +16,7 @@ Rules rules_of(Difficulty difficulty) {
     case Difficulty::easy:
         rules.lives = 5;
         rules.grenades = 9;
+        rules.is_patient = true;
         rules.drone_speed = 1.1;
         rules.charge_seconds = 1.8;
         rules.bolt_speed = 16;

@@ -40,6 +40,7 @@ struct Rules {
     double blast_hurts = 2.5;        // of what it does to the player
     double walk = 0.5, crouch = 0.3; // of the running speed
     double run_noise = 7;            // metres
+    bool is_patient = false; // nobody looks for who has not done anything yet where they begin
     double use_reach = 2.2;
     double core_reach = 1.3;
     gameplay::CharacterRules character;

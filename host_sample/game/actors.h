@@ -16,23 +16,15 @@ public:
 
     // Seen after the next commit.
     void show(const three_cores::Game& game);
-    void note(std::span<const three_cores::Event> events); // of a tick
     void hide();
 
 private:
-    struct Blast {
-        glm::dvec3 point;
-        double age; // ticks
-    };
     void show_drones(const three_cores::Game& game);
     void show_cores(const three_cores::Game& game);
-    void show_blasts(const three_cores::Game& game);
 
     PropPool drones_, drones_off_, cores_, grenades_, bolts_;
     LampPool lamps_;
-    std::vector<Blast> blasts_;
     std::vector<rt_light_desc> lit_; // kept for its memory
-    uint64_t last_tick_ = 0;
 };
 
 } // namespace host::game

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <iostream>
 
+#include "../stats.h"
 #include "play.h"
 #include "unattended.h"
 
@@ -38,12 +39,6 @@ private:
     Clock::time_point shown_{};
 };
 
-PlayerSettings settings_for(const Options& options, std::string& note) {
-    PlayerSettings settings = read_settings(settings_path(), note);
-    if (options.difficulty) settings.difficulty = *options.difficulty;
-    return settings;
-}
-
 int run_unattended(const Options& options, const gameplay::Replay* replay) {
     Arena arena(options, [](const char*, float) {});
     RoundSetup setup;
@@ -56,7 +51,10 @@ int run_unattended(const Options& options, const gameplay::Replay* replay) {
         setup.seed = {options.difficulty.value_or(three_cores::Difficulty::normal),
                       options.seed.value_or(1)};
     Round round(arena.stage(), arena.plan(), setup);
-    return play_unattended(round, options.record);
+    const int status = play_unattended(round);
+    if (!options.stats.empty()) write_stats(options.stats, arena.session());
+    if (!options.record.empty()) write_replay(round.record(), options.record);
+    return status;
 }
 
 int run_window(const Options& options, const PlayerSettings& settings, const std::string& note,
@@ -78,10 +76,10 @@ std::optional<int> run(const Options& options) {
     if (options.headless) return run_unattended(options, shown);
 
     std::string note, cause;
-    const PlayerSettings settings = settings_for(options, note);
+    const PlayerSettings settings = read_settings(settings_path(), note);
     const int width = options.sized ? static_cast<int>(options.width) : settings.width;
     const int height = options.sized ? static_cast<int>(options.height) : settings.height;
-    if (const auto window = Window::open(width, height, cause))
+    if (const auto window = Window::open("Three Cores", width, height, !options.sized, cause))
         return run_window(options, settings, note, *window, shown);
     if (!shown && !options.bot) return std::nullopt;
     std::cerr << "no window: " << cause << "; playing without one\n";

@@ -12,15 +12,15 @@ constexpr double felt = 14; // metres
 
 } // namespace
 
-pads::Color Feedback::light_of(double alarm) {
-    if (alarm >= 1) return alarmed;
+pads::Color Feedback::light_of(double alarm, bool is_alarmed) {
+    if (is_alarmed) return alarmed;
     return alarm >= suspicion_point ? suspicious : calm;
 }
 
 void Feedback::update(pads::PadManager& pads, const Shown& shown, bool vibration) {
     const pads::Pad* pad = pads.active();
     if (!pad) return;
-    const pads::Color color = light_of(shown.status.alarm);
+    const pads::Color color = light_of(shown.status.alarm, shown.status.alarmed);
     if (pad->id != pad_ || color != color_) pads.light(pad->id, color);
     pad_ = pad->id;
     color_ = color;

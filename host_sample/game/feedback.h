@@ -11,7 +11,7 @@ class Feedback {
 public:
     void update(pads::PadManager& pads, const Shown& shown, bool vibration);
 
-    static pads::Color light_of(double alarm);
+    static pads::Color light_of(double alarm, bool alarmed);
 
 private:
     void shake(pads::PadManager& pads, pads::PadId pad, const Shown& shown) const;

@@ -4,6 +4,7 @@
 
 #include "input.h"
 #include "look.h"
+#include "pace.h"
 #include "simulation.h"
 
 namespace host::game {
@@ -30,13 +31,17 @@ public:
     const Round& round() const { return round_; } // after finish(), before advance()
 
 private:
+    // All that a frame may play, and the rest of the one before.
+    static constexpr auto most_ticks =
+        static_cast<uint32_t>(longest_frame * three_cores::kTicksPerSecond) + 1;
+
     bool is_mine() const { return setup_hands_ == Hands::player; }
 
     Hands setup_hands_;
     Round round_;
     Simulation simulation_;
     Look look_;
-    gameplay::FixedStep steps_{three_cores::kTicksPerSecond};
+    gameplay::FixedStep steps_{three_cores::kTicksPerSecond, most_ticks};
     double blend_ = 1, next_blend_ = 1; // of the ticks that are shown, and of those that run
     uint32_t waiting_ = 0;              // buttons that no tick has seen yet
 };

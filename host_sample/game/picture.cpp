@@ -1,15 +1,16 @@
 #include "picture.h"
 
-#include <filesystem>
-
 #include "../headless.h"
 #include "../image_file.h"
 
 namespace host::game {
 
-void Picture::show(const Viewpoint& view, float exposure, rt_snapshot snapshot) {
+bool Picture::visible() {
     window_.framebuffer_size(width_, height_);
-    if (!visible()) return;
+    return width_ > 0 && height_ > 0 && !window_.minimised();
+}
+
+void Picture::show(const Viewpoint& view, float exposure, rt_snapshot snapshot) {
     const bool radiance = presenter_.wants_radiance();
     Frame frame = session_.frame(scale_.side(width_), scale_.side(height_));
     frame.exposure = exposure;
@@ -21,11 +22,23 @@ void Picture::show(const Viewpoint& view, float exposure, rt_snapshot snapshot) 
     pixels_.resize(size_t{frame.width} * frame.height * (radiance ? 4 : 1));
     const rt_frame_stats stats = session_.stage.render(view, frame, pixels_.data());
     session_.log.add(stats);
-    session_.width = frame.width;
-    session_.height = frame.height;
+    session_.width = sides_[0] = frame.width;
+    session_.height = sides_[1] = frame.height;
+    view_ = view;
+    exposure_ = exposure;
     render_ms_ = stats.frame_ms;
     presenter_.show(pixels_.data(), frame.width, frame.height, width_, height_, exposure,
                     frame.view == RT_VIEW_SHADED);
+}
+
+void Picture::repeat() {
+    presenter_.repeat(width_, height_, exposure_, session_.options.view == RT_VIEW_SHADED);
+}
+
+bool Picture::is_outdated(const Viewpoint& view) const {
+    return view.position != view_.position || view.forward != view_.forward || view.up != view_.up
+           || view.vertical_fov != view_.vertical_fov || sides_[0] != scale_.side(width_)
+           || sides_[1] != scale_.side(height_);
 }
 
 void Picture::adapt(double frame_ms, float chosen) {
@@ -34,14 +47,12 @@ void Picture::adapt(double frame_ms, float chosen) {
 
 std::string Picture::write_screenshot(const Viewpoint& view, float exposure,
                                       rt_snapshot snapshot) const {
-    const auto names = NumberedName::parse("screenshot_%04d.png");
-    uint32_t number = 0;
-    while (std::filesystem::exists(names->at(number))) ++number;
+    const std::string name = free_screenshot_name();
     Frame frame = session_.frame(static_cast<uint32_t>(width_), static_cast<uint32_t>(height_));
     frame.exposure = exposure;
     frame.snapshot = snapshot;
-    write_picture(session_, view, frame, names->at(number));
-    return names->at(number);
+    write_picture(session_, view, frame, name);
+    return name;
 }
 
 } // namespace host::game

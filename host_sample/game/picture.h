@@ -15,8 +15,14 @@ public:
     Picture(Session& session, Window& window)
         : session_(session), window_(window), presenter_(window.modern_gl()) {}
 
+    // Looks at the window. Without anybody who sees it nothing is rendered.
+    bool visible();
+
+    // Both for a visible window: renders a frame, or shows the last one once more.
     void show(const Viewpoint& view, float exposure, rt_snapshot snapshot);
-    bool visible() const { return width_ > 0 && height_ > 0; } // not minimised
+    void repeat();
+    // Whether another view or size was shown last.
+    bool is_outdated(const Viewpoint& view) const;
 
     // After the frame is presented. `chosen`: the scale that the player chose; 0: as large as the
     // time allows.
@@ -34,6 +40,9 @@ private:
     Presenter presenter_;
     RenderScale scale_;
     int width_ = 0, height_ = 0;
+    Viewpoint view_;         // of the last frame
+    uint32_t sides_[2] = {}; // of the last frame; 0: there is none
+    float exposure_ = 1.0f;  // of the last frame
     double render_ms_ = 0.0;
     std::vector<float> pixels_; // four floats a pixel, or the bytes of four channels
 };

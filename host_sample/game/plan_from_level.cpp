@@ -118,8 +118,7 @@ Lamp lamp_of(const Light& light) {
     lamp.position = light.position;
     lamp.direction = glm::normalize(Vec3(light.direction));
     lamp.radius = static_cast<double>(light.radius);
-    const Vec3 color(light.intensity);
-    lamp.candela = glm::dot(color, Vec3(0.2126, 0.7152, 0.0722)); // luminance, ITU-R BT.709
+    lamp.candela = three_cores::luminance(Vec3(light.intensity));
     lamp.cos_outer = rounded(static_cast<double>(light.cone_outer_cos));
     lamp.cos_inner =
         std::max(rounded(static_cast<double>(light.cone_inner_cos)), lamp.cos_outer + 1e-3);

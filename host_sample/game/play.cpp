@@ -3,14 +3,17 @@
 #include "../error.h"
 #include "../paths.h"
 #include "../stats.h"
+#include "../stop.h"
 #include "backdrop.h"
+#include "sentence.h"
 #include "unattended.h"
 
 namespace host::game {
 
 namespace {
 
-constexpr double longest_frame = 0.1; // seconds
+constexpr double menu_frame = 1.0 / 30, unseen_frame = 0.1; // seconds, at least
+constexpr double title_frame = 1.0 / 15; // seconds: the picture behind the title moves slowly
 
 // A snapshot that stays as it is.
 class Held {
@@ -43,8 +46,10 @@ Play::Play(Arena& arena, Window& window, ui::Ui& ui, const PlayerSettings& setti
     : arena_(arena), window_(window), ui_(ui), session_(arena.session()),
       picture_(session_, window), exposure_(session_, night_sight),
       actors_(arena.stage(), load_props(arena.stage(), content_file("props.glb"))),
-      pads_(hid_, read_pad_map(session_.options.pad_map)), settings_(settings), applied_(settings) {
+      pads_(hid_, read_pad_map(session_.options.pad_map)), settings_(settings), applied_(settings),
+      kept_(settings), difficulty_chosen_(!session_.options.difficulty) {
     const Options& options = session_.options;
+    settings_.difficulty = options.difficulty.value_or(settings.difficulty);
     if (!options.mute) mixer_ = std::make_unique<sound::Mixer>();
     std::string note;
     scores_ = Scores::read(scores_path(), note);
@@ -61,9 +66,11 @@ Play::Play(Arena& arena, Window& window, ui::Ui& ui, const PlayerSettings& setti
 Play::~Play() = default;
 
 void Play::run() {
-    while (!window_.closing() && !quitting_ && !done()) frame();
+    while (!window_.closing() && !is_stopped() && !quitting_ && !done()) frame();
     leave_round();
+    if (settings_to_keep() != kept_) keep_settings();
     if (!session_.options.stats.empty()) write_stats(session_.options.stats, session_);
+    if (!unsaved_.empty()) throw InputError(unsaved_);
 }
 
 bool Play::done() const {
@@ -82,9 +89,17 @@ void Play::frame() {
     if (live_ && live_->finish()) collect();
     obey(intent);
     window_.capture_mouse(screen_ == Screen::playing && is_mine());
+    if (screen_ == Screen::playing && drawn_ == Screen::playing) pace_.add(passed, seconds);
     show(intent, desk, seconds);
+    rest(std::chrono::duration<double>(Clock::now() - now).count());
+}
+
+// While playing, frames come as fast as they can. Else nobody waits for them.
+void Play::rest(double busy) {
+    if (!picture_.visible()) return window_.rest(unseen_frame - busy);
+    if (screen_ != Screen::playing) return window_.rest(menu_frame - busy);
     const float chosen = static_cast<float>(settings_.render_scale) / 100.0f;
-    picture_.adapt(1000 * passed, session_.options.scale.value_or(chosen));
+    picture_.adapt(1000 * busy, session_.options.scale.value_or(chosen));
 }
 
 void Play::poll_pads() {
@@ -98,16 +113,18 @@ void Play::poll_pads() {
 // A key that opens a menu does nothing more in it.
 void Play::obey(Intent& intent) {
     const bool left = focused_ && !window_.focused();
+    if (!focused_ && window_.focused()) gate_.shut(); // the click that came back is none in a menu
     focused_ = window_.focused();
     wants_screenshot_ |= intent.screenshot;
     if (screen_ != Screen::playing) return;
-    if (intent.pause || left) screen_ = Screen::paused;
+    if (intent.pause || left || window_.minimised()) screen_ = Screen::paused;
     if (intent.options) open_options();
     if (screen_ != Screen::playing) intent.menu = {};
 }
 
 // The picture of a moment, while the next ticks are played, and what is drawn over it.
 void Play::show(Intent& intent, const Desk& desk, double seconds) {
+    const bool visible = picture_.visible();
     std::vector<glm::dvec3> preview;
     if (live_) preview = live_->preview();
     {
@@ -120,18 +137,35 @@ void Play::show(Intent& intent, const Desk& desk, double seconds) {
             blocked_ = ~0u;
         }
         view_ = look(seconds);
-        render(seconds, held.get());
+        if (visible) render(seconds, held.get());
     }
-    if (picture_.visible()) draw_over(intent, desk, seconds, preview);
+    if (!visible) return;
+    draw_over(intent, desk, seconds, preview);
     window_.present();
 }
 
+// A picture that stands still is rendered once.
 void Play::render(double seconds, rt_snapshot snapshot) {
-    exposed_ = exposure_.drift(view_, seconds);
-    picture_.show(view_, exposed_, snapshot);
-    if (wants_screenshot_ && picture_.visible())
-        ui_.toast("Wrote " + picture_.write_screenshot(view_, exposed_, snapshot));
+    rendered_ += seconds;
+    const bool due = live_ || rendered_ >= title_frame;
+    if (screen_ == Screen::playing || (due && picture_.is_outdated(view_))) {
+        exposed_ = exposure_.drift(view_, rendered_);
+        picture_.show(view_, exposed_, snapshot);
+        rendered_ = 0.0;
+    } else {
+        picture_.repeat();
+    }
+    if (wants_screenshot_) take_screenshot(snapshot);
+}
+
+void Play::take_screenshot(rt_snapshot snapshot) {
     wants_screenshot_ = false;
+    try {
+        ui_.toast("Wrote " + picture_.write_screenshot(view_, exposed_, snapshot));
+    } catch (const InputError& error) {
+        ui_.toast(sentence(error.what()));
+    }
+    before_ = Clock::now(); // what this took is no time of the game
 }
 
 Viewpoint Play::look(double seconds) {

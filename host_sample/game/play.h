@@ -6,11 +6,13 @@
 #include "../exposure.h"
 #include "../pads/linux_hid.h"
 #include "../sound/mixer.h"
+#include "../ui/gate.h"
 #include "../ui/ui.h"
 #include "../window.h"
 #include "arena.h"
 #include "feedback.h"
 #include "live_round.h"
+#include "pace.h"
 #include "picture.h"
 
 namespace host::game {
@@ -24,6 +26,7 @@ public:
          const gameplay::Replay* replay);
     ~Play();
 
+    // Until it ends. What could not be written is thrown as an InputError when all else is done.
     void run();
 
 private:
@@ -38,6 +41,8 @@ private:
     void show(Intent& intent, const Desk& desk, double seconds);
     Viewpoint look(double seconds);
     void render(double seconds, rt_snapshot snapshot);
+    void take_screenshot(rt_snapshot snapshot);
+    void rest(double busy);
 
     // play_round.cpp: from the first tick to the last
     RoundSetup new_setup(Hands hands) const;
@@ -56,6 +61,7 @@ private:
     void open_options();
     void apply_settings();
     void keep_settings();
+    PlayerSettings settings_to_keep() const;
     void make_menu_sounds();
 
     bool is_mine() const { return setup_.hands == Hands::player; }
@@ -69,21 +75,28 @@ private:
     Actors actors_;
     pads::LinuxHid hid_;
     pads::PadManager pads_;
-    std::unique_ptr<sound::Mixer> mixer_; // null: --mute
-    PlayerSettings settings_, applied_;
+    std::unique_ptr<sound::Mixer> mixer_;      // null: --mute
+    PlayerSettings settings_, applied_, kept_; // as they are, were applied, and stand in the file
+    bool difficulty_chosen_;                   // by the player, not by --difficulty
     Scores scores_;
     Input input_;
+    ui::Gate gate_;
     ui::Repeater repeater_;
     Feedback feedback_;
 
     Screen screen_ = Screen::title;
     Screen before_options_ = Screen::title;
+    Screen drawn_ = Screen::playing; // in the last frame
     RoundSetup setup_;
     std::unique_ptr<LiveRound> live_; // null: the title and what belongs to it
     ui::EndScreen end_;
     Viewpoint view_; // of the last frame
     float exposed_ = 1.0f;
-    double titled_ = 0.0;    // seconds that the picture behind the title was shown
+    double titled_ = 0.0;   // seconds that the picture behind the title was shown
+    double rendered_ = 1.0; // seconds since the last frame that was rendered
+    Pace pace_;
+    bool told_slow_ = false;
+    std::string unsaved_;    // why the last record could not be written
     uint32_t blocked_ = ~0u; // buttons that were held when the round began or went on
     bool focused_ = true, wants_screenshot_ = false, quitting_ = false;
     Clock::time_point before_ = Clock::now();

@@ -2,7 +2,9 @@
 
 #include <random>
 
+#include "../error.h"
 #include "reckoning.h"
+#include "sentence.h"
 #include "unattended.h"
 
 namespace host::game {
@@ -29,6 +31,8 @@ void Play::begin(const RoundSetup& setup) {
     live_ = std::make_unique<LiveRound>(arena_.stage(), arena_.plan(), setup, actors_);
     input_.reset();
     blocked_ = ~0u;
+    pace_.reset();
+    before_ = Clock::now();
     screen_ = Screen::playing;
 }
 
@@ -46,7 +50,6 @@ void Play::collect() {
 }
 
 void Play::end_round() {
-    save_record();
     end_ = reckon(live_->shown(), live_->round().game());
     end_.level = arena_.level_name();
     end_.difficulty = setup_.seed.difficulty;
@@ -59,6 +62,7 @@ void Play::end_round() {
     }
     end_.best = scores_.best(end_.level, end_.difficulty);
     screen_ = Screen::ended;
+    save_record();
 }
 
 void Play::end_replay() {
@@ -78,11 +82,18 @@ void Play::leave_round() {
     actors_.hide();
 }
 
+// The game goes on if it cannot be written; run() tells in the end.
 void Play::save_record() {
     const std::string& file = session_.options.record;
     const gameplay::Replay& record = live_->round().record();
-    if (!file.empty() && setup_.hands != Hands::replay && !record.ticks.empty())
+    if (file.empty() || setup_.hands == Hands::replay || record.ticks.empty()) return;
+    try {
         write_replay(record, file);
+        unsaved_.clear();
+    } catch (const InputError& error) {
+        unsaved_ = error.what();
+        ui_.toast(sentence(unsaved_));
+    }
 }
 
 } // namespace host::game

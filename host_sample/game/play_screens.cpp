@@ -1,5 +1,7 @@
 #include "play.h"
 
+#include <utility>
+
 #include "show_hud.h"
 
 namespace host::game {
@@ -12,15 +14,23 @@ void Play::draw_over(const Intent& intent, const Desk& desk, double seconds,
     frame.width = picture_.width();
     frame.height = picture_.height();
     frame.seconds = seconds;
-    frame.menu = repeater_.update(intent.menu, seconds);
     frame.pointer = {desk.pointer, !desk.captured, desk.pressed.has(Key::mouse),
-                     desk.pointer_moved};
+                     desk.held.has(Key::mouse), desk.pointer_moved};
+    if (screen_ != drawn_) gate_.shut();
+    drawn_ = screen_;
+    ui::MenuInput passed = intent.menu;
+    gate_.pass(passed, frame.pointer, seconds);
+    frame.menu = repeater_.update(passed, seconds);
     frame.device = &input_.device();
     ui_.begin(frame);
     if (live_ && screen_ == Screen::playing) {
         const ui::Projection projection(view_, frame.width, frame.height);
-        ui_.hud(hud_of(live_->shown(), three_cores::rules_of(setup_.seed.difficulty), arena_.plan(),
-                       projection, preview, input_.use_key()));
+        ui::Hud hud = hud_of(live_->shown(), three_cores::rules_of(setup_.seed.difficulty),
+                             arena_.plan(), projection, preview, input_.use_key());
+        hud.speed = pace_.speed();
+        if (pace_.speed() < 0.8 && !std::exchange(told_slow_, true))
+            ui_.toast("Frames take too long here, and time runs slower. Less detail may help.");
+        ui_.hud(hud);
     }
     const Action action = draw_screen();
     ui_.end_frame();
@@ -39,8 +49,10 @@ Action Play::draw_screen() {
         return ui_.pause({arena_.level_name(), setup_.seed.difficulty});
     case Screen::options: {
         const pads::Pad* pad = input_.uses_pad() ? pads_.active() : nullptr;
-        ui::OptionsScreen options{&settings_, pad && pad->abilities.rumble,
-                                  mixer_ && !mixer_->silent()};
+        ui::OptionsScreen options{&settings_};
+        window_.largest(options.most_width, options.most_height);
+        options.has_vibration = pad && pad->abilities.rumble;
+        options.has_sound = mixer_ && !mixer_->silent();
         return ui_.options(options);
     }
     case Screen::ended:
@@ -74,6 +86,7 @@ void Play::act(Action action) {
         screen_ = before_options_;
         return;
     case Action::changed:
+        difficulty_chosen_ = difficulty_chosen_ || screen_ == Screen::title;
         return apply_settings();
     case Action::quit:
         keep_settings();
@@ -96,8 +109,16 @@ void Play::apply_settings() {
 }
 
 void Play::keep_settings() {
-    const std::string mistake = write_settings(settings_path(), settings_);
+    kept_ = settings_to_keep();
+    const std::string mistake = write_settings(settings_path(), kept_);
     if (!mistake.empty()) ui_.toast(mistake);
+}
+
+// --difficulty is for this time alone.
+PlayerSettings Play::settings_to_keep() const {
+    PlayerSettings settings = settings_;
+    if (!difficulty_chosen_) settings.difficulty = kept_.difficulty;
+    return settings;
 }
 
 void Play::make_menu_sounds() {
@@ -105,7 +126,8 @@ void Play::make_menu_sounds() {
     if (!mixer_) return;
     if (sounds.moved) mixer_->play(sound::MenuSound::moved);
     if (sounds.chosen) mixer_->play(sound::MenuSound::chosen);
-    mixer_->set_mood(live_ ? live_->shown().status.alarm : 0.0, screen_ != Screen::playing);
+    const three_cores::Status status = live_ ? live_->shown().status : three_cores::Status();
+    mixer_->set_mood(status.alarmed ? 1.0 : status.alarm, screen_ != Screen::playing);
     if (const auto note = mixer_->take_note()) ui_.toast(*note);
 }
 

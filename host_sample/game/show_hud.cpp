@@ -8,7 +8,7 @@ constexpr double drone_radius = 0.36; // metres
 
 void add_drones(const Shown& shown, const ui::Projection& projection, ui::Hud& hud) {
     for (const DroneShown& drone : shown.drones) {
-        if (drone.disabled || drone.suspicion <= 0) continue;
+        if (drone.disabled || (drone.suspicion <= 0 && !drone.alarmed)) continue;
         ui::DroneMark& mark = hud.drone_marks.emplace_back();
         mark.sight = projection.sight(drone.position);
         mark.radius = projection.radius(drone.position, drone_radius);
@@ -61,6 +61,7 @@ ui::Hud hud_of(const Shown& shown, const three_cores::Rules& rules, const three_
     hud.light = static_cast<float>(status.light);
     hud.seen = static_cast<float>(status.seen);
     hud.alarm = static_cast<float>(status.alarm);
+    hud.alarmed = status.alarmed;
     hud.cooking = static_cast<float>(status.cooking);
     hud.hurt = static_cast<float>(status.hurt);
     hud.gate_open = status.open;

@@ -56,7 +56,6 @@ void Simulation::play() {
         if (!round_.tick(live_)) break;
         const auto events = round_.game().events();
         next_.events.insert(next_.events.end(), events.begin(), events.end());
-        actors_.note(events);
         next_.before = next_.now;
         next_.now = round_.game().eye();
     }

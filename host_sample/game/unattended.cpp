@@ -4,6 +4,8 @@
 #include <cstdio>
 
 #include "../error.h"
+#include "../stop.h"
+#include "../whole_file.h"
 
 namespace host::game {
 
@@ -25,10 +27,10 @@ const char* name_of(three_cores::Outcome outcome) {
 
 } // namespace
 
-int play_unattended(Round& round, const std::string& record) {
-    while (!round.astray() && round.game().ticks() < longest_round && round.tick({})) {
+int play_unattended(Round& round) {
+    while (!is_stopped() && !round.astray() && round.game().ticks() < longest_round
+           && round.tick({})) {
     }
-    if (!record.empty()) write_replay(round.record(), record);
     if (round.astray()) {
         std::fprintf(stderr,
                      "peregrine_play: the replay goes astray in tick %" PRIu64
@@ -38,6 +40,7 @@ int play_unattended(Round& round, const std::string& record) {
     }
     const three_cores::Outcome outcome = round.game().status().outcome;
     std::printf("%s %016" PRIx64 "\n", name_of(outcome), round.game().hash());
+    std::fflush(stdout); // whatever becomes of what is written next
     return outcome == three_cores::Outcome::won ? 0 : 3;
 }
 
@@ -50,11 +53,10 @@ gameplay::Replay read_replay(const std::string& path) {
 }
 
 void write_replay(const gameplay::Replay& replay, const std::string& path) {
-    try {
-        gameplay::save_replay(replay, path);
-    } catch (const gameplay::ReplayError& error) {
-        throw InputError(error.what());
-    }
+    const std::vector<uint8_t> bytes = gameplay::encode_replay(replay);
+    const std::string cause =
+        write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if (!cause.empty()) throw InputError("the replay " + path + " cannot be written: " + cause);
 }
 
 } // namespace host::game

@@ -8,8 +8,8 @@ namespace host::game {
 
 // Plays a round that needs no player, as fast as it goes, and prints how it ended: "WON" or "LOST"
 // and the hash of its last state. Returns the exit status: 0 won, 3 not won, 4 a replay went
-// astray. `record` is a file or empty. Throws InputError.
-int play_unattended(Round& round, const std::string& record);
+// astray.
+int play_unattended(Round& round);
 
 // Throws InputError.
 gameplay::Replay read_replay(const std::string& path);

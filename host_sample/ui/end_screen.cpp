@@ -5,7 +5,6 @@ namespace host::ui {
 
 namespace {
 
-constexpr std::string_view away = "All three cores are yours, and the night keeps quiet.";
 constexpr float table_width = 360.0f;
 
 void draw_heading(const Canvas& canvas, const EndScreen& screen, float left, float top) {
@@ -20,7 +19,7 @@ void draw_heading(const Canvas& canvas, const EndScreen& screen, float left, flo
     canvas.text({left - canvas.px(4.0f), top}, Face::title,
                 screen.won ? theme::text : theme::mixed(theme::text, theme::red, 0.55f),
                 screen.won ? "AWAY" : "CAUGHT", Align::left, 5.0f);
-    const std::string_view words = screen.won ? away : std::string_view(screen.cause);
+    const std::string& words = screen.story;
     canvas.fitted(canvas.width(Face::body, words), canvas.size().x - left - canvas.px(40.0f))
         .text({left, top + canvas.px(104.0f)}, Face::body, theme::dim, words);
 }

@@ -16,10 +16,11 @@ void draw_shades(const Canvas& canvas, const Hud& hud, double now) {
     canvas.gradient_down({0.0f, 0.0f}, {size.x, canvas.px(104.0f)}, night, clear);
     canvas.gradient_down({0.0f, size.y - canvas.px(112.0f)}, size, clear, night);
     if (hud.alarm > 0.3f) {
-        const bool certain = hud.alarm >= 1.0f;
-        const float pulse = certain ? 0.8f + 0.2f * std::sin(7.0f * static_cast<float>(now)) : 1.0f;
+        const float pulse =
+            hud.alarmed ? 0.8f + 0.2f * std::sin(7.0f * static_cast<float>(now)) : 1.0f;
         const float strength = 0.85f * (hud.alarm - 0.3f) / 0.7f * pulse;
-        const Color glow = theme::mixed(theme::danger(hud.alarm), {0.35f, 0.0f, 0.0f, 1.0f}, 0.6f);
+        const Color glow =
+            theme::mixed(theme::mood(hud.alarm, hud.alarmed), {0.35f, 0.0f, 0.0f, 1.0f}, 0.6f);
         canvas.vignette(theme::faded(glow, strength), 0.5f);
     }
     if (hud.hurt > 0.0f) {
@@ -53,10 +54,10 @@ void draw_clock_and_alarm(const Canvas& canvas, const Hud& hud) {
     canvas.line({middle - half, y}, {middle + half, y}, {0.0f, 0.0f, 0.0f, 0.55f}, 5.0f);
     canvas.line({middle - half, y}, {middle + half, y}, theme::faded(theme::text, 0.3f), 1.0f);
     if (hud.alarm <= 0.0f) return;
-    const Color color = theme::danger(hud.alarm);
+    const Color color = theme::mood(hud.alarm, hud.alarmed);
     canvas.line({middle - half * hud.alarm, y}, {middle + half * hud.alarm, y}, color, 5.0f);
-    if (hud.alarm < 0.3f) return;
-    const char* word = hud.alarm >= 1.0f ? "ALARM" : "SUSPICIOUS";
+    if (hud.alarm < 0.3f && !hud.alarmed) return;
+    const char* word = hud.alarmed ? "ALARM" : "SUSPICIOUS";
     const glm::vec2 size(canvas.width(Face::small, word) + canvas.px(20.0f), canvas.px(25.0f));
     const glm::vec2 lower(middle - 0.5f * size.x, y + canvas.px(9.0f));
     canvas.rectangle(lower, lower + size, color, 4.0f);
@@ -72,6 +73,9 @@ void draw_score(const Canvas& canvas, const Hud& hud) {
                 std::to_string(hud.drones) + " of " + std::to_string(hud.drones_total)
                     + (hud.drones_total == 1 ? " drone" : " drones"),
                 Align::right);
+    if (hud.speed >= 0.95) return;
+    canvas.text({right, canvas.px(80.0f)}, Face::small, theme::amber,
+                "time at " + std::to_string(std::lround(100.0 * hud.speed)) + " %", Align::right);
 }
 
 void draw_lives(const Canvas& canvas, const Hud& hud) {
@@ -167,12 +171,28 @@ void draw_hint(const Canvas& canvas, const Hint& hint) {
                 theme::text, hint.text);
 }
 
+// What of it marks must not cover.
+std::vector<Box> boxes_of(const Canvas& canvas, const Hud& hud) {
+    const glm::vec2 size = canvas.size(), center = 0.5f * size;
+    const float unit = canvas.px(1.0f), margin = canvas.px(theme::margin);
+    const float cores = std::max(150.0f, 30.0f * static_cast<float>(hud.cores_total)) * unit;
+    std::vector<Box> boxes = {
+        {{0.0f, 0.0f}, {margin + cores, 88.0f * unit}},
+        {{center.x - 130.0f * unit, 0.0f}, {center.x + 130.0f * unit, 102.0f * unit}},
+        {{size.x - margin - 150.0f * unit, 0.0f}, {size.x, 104.0f * unit}},
+        {{0.0f, size.y - 84.0f * unit}, size}};
+    if (!hud.hint.text.empty()) boxes.push_back({{0.0f, size.y - 148.0f * unit}, size});
+    return boxes;
+}
+
 } // namespace
 
-void show_hud(const Canvas& canvas, const Hud& hud, double now) {
+void show_hud(const Canvas& canvas, const Hud& hud, double now, std::span<const Box> taken) {
     draw_shades(canvas, hud, now);
     show_arc(canvas, hud.arc);
-    show_marks(canvas, hud);
+    std::vector<Box> boxes = boxes_of(canvas, hud);
+    boxes.insert(boxes.end(), taken.begin(), taken.end());
+    show_marks(canvas, hud, std::move(boxes));
     draw_crosshair(canvas, hud);
     draw_cores(canvas, hud);
     draw_clock_and_alarm(canvas, hud);

@@ -20,7 +20,7 @@ struct DroneMark {
 // A place to go to.
 struct GoalMark {
     Sight sight;
-    std::string label; // "GATE"; the distance is added
+    std::string label; // "GATE"; distance and whereabouts are added
 };
 
 // "[E] open the door"; the key as the device in use calls it.
@@ -37,7 +37,9 @@ struct Hud {
     uint32_t drones = 0, drones_total = 0;
     uint32_t score = 0;
     double seconds = 0.0;
+    double speed = 1.0; // of time; told if it is less
     float light = 0.0f, seen = 0.0f, alarm = 0.0f;
+    bool alarmed = false; // a drone is, though `alarm` may have fallen since
     float cooking = 0.0f; // 0: no grenade in the hand
     float hurt = 0.0f;
     bool gate_open = false;

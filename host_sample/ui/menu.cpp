@@ -1,5 +1,7 @@
 #include "ui/menu.h"
 
+#include <algorithm>
+
 namespace host::ui {
 
 namespace {
@@ -47,11 +49,37 @@ bool Box::contains(glm::vec2 point) const {
     return point.x >= lower.x && point.x < upper.x && point.y >= lower.y && point.y < upper.y;
 }
 
+bool Box::overlaps(const Box& other) const {
+    return lower.x < other.upper.x && other.lower.x < upper.x && lower.y < other.upper.y
+           && other.lower.y < upper.y;
+}
+
+namespace {
+
+Choice put(uint32_t entry, const Box& slider, const Pointer& pointer) {
+    Choice choice;
+    choice.kind = Choice::Kind::set;
+    choice.entry = entry;
+    const float part = (pointer.place.x - slider.lower.x) / (slider.upper.x - slider.lower.x);
+    choice.level = std::clamp(part, 0.0f, 1.0f);
+    return choice;
+}
+
+} // namespace
+
 Choice Menu::update(const std::vector<Entry>& entries, const std::vector<EntryBoxes>& boxes,
                     const MenuInput& input, const Pointer& pointer) {
     Choice choice;
     const auto count = static_cast<uint32_t>(entries.size());
     if (count == 0) return choice;
+    // A slider that is held follows the mouse wherever it goes.
+    dragging_ = dragging_ && pointer.shown && pointer.held && !input.back
+                && selected_ < std::min<size_t>(count, boxes.size());
+    if (dragging_) {
+        choice = put(selected_, boxes[selected_].slider, pointer);
+        choice.dragged = true;
+        return choice;
+    }
     const uint32_t before = selected_;
     if (selected_ >= count || !entries[selected_].enabled)
         selected_ = next_enabled(entries, count - 1, 1);
@@ -72,7 +100,15 @@ Choice Menu::update(const std::vector<Entry>& entries, const std::vector<EntryBo
     const Entry& entry = entries[selected_];
     const bool has_value = !entry.value.empty();
     bool less = input.left && !input.right, more = input.right && !input.left;
-    bool accept = input.accept || (clicked && !has_value);
+    const bool accept = input.accept || (clicked && !has_value);
+    const bool slides = clicked && entry.level >= 0.0f && under->slider.contains(pointer.place);
+    if (slides && !input.back && !accept) {
+        const bool moved = choice.moved;
+        choice = put(selected_, under->slider, pointer);
+        choice.moved = moved;
+        dragging_ = pointer.held;
+        return choice;
+    }
     if (clicked && has_value) {
         less = less || under->less.contains(pointer.place);
         more = more || (!less && under->more.contains(pointer.place));

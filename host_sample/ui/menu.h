@@ -20,7 +20,8 @@ struct MenuInput {
 struct Pointer {
     glm::vec2 place{0.0f};
     bool shown = false;   // false: there is none, or it is captured
-    bool pressed = false; // went down since the frame before
+    bool pressed = false; // its button went down since the frame before
+    bool held = false;    // and is down
     bool moved = false;   // since the frame before
 };
 
@@ -40,31 +41,38 @@ struct Entry {
     std::string label{};
     std::string value{};  // empty: a plain entry; else left and right change it
     bool enabled = true;  // others are skipped
-    float level = -1.0f;  // 0 to 1: a bar below the value; negative: none
+    float level = -1.0f;  // 0 to 1: a slider below the value; negative: none
     bool has_less = true; // false: left would do nothing
     bool has_more = true; // false: right would do nothing
 };
 
-// Where an entry lies on the window, and the arrows beside its value.
 struct Box {
     glm::vec2 lower{0.0f}, upper{0.0f};
     bool contains(glm::vec2 point) const;
+    bool overlaps(const Box& other) const;
 };
+// Where an entry lies on the window, the halves of its value that make it less and more, and where
+// its slider goes from 0 to 1.
 struct EntryBoxes {
-    Box row, less, more;
+    Box row, less, more, slider{};
 };
 
 struct Choice {
-    enum class Kind { none, accept, less, more, back } kind = Kind::none;
+    enum class Kind { none, accept, less, more, set, back } kind = Kind::none;
     uint32_t entry = 0;
-    bool moved = false; // the selection: for a sound
+    float level = 0.0f;   // of Kind::set: where the slider was put, 0 to 1
+    bool moved = false;   // the selection: for a sound
+    bool dragged = false; // Kind::set once more, by a slider that is held
 };
 
 // Keyboard, pad and mouse to one choice. Knows nothing of drawing.
 class Menu {
 public:
     uint32_t selected() const { return selected_; }
-    void select(uint32_t entry) { selected_ = entry; }
+    void select(uint32_t entry) {
+        selected_ = entry;
+        dragging_ = false;
+    }
 
     // `boxes` may be empty: no mouse then.
     Choice update(const std::vector<Entry>& entries, const std::vector<EntryBoxes>& boxes,
@@ -72,6 +80,7 @@ public:
 
 private:
     uint32_t selected_ = 0;
+    bool dragging_ = false; // the slider of the selected entry
 };
 
 } // namespace host::ui

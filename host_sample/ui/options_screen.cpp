@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <span>
 
 namespace host::ui {
 
@@ -22,12 +23,12 @@ constexpr std::array<int, 7> render_scales = {0, 25, 33, 50, 67, 75, 100};
 
 struct Option {
     Entry entry;
-    std::function<void(int step)> change; // 1 or -1
+    std::function<void(int step)> change;      // 1 or -1
+    std::function<void(float level)> set = {}; // 0 to 1; of a slider
 };
 
 // The nearest one of the values in that direction, round to the other end where there is none.
-template <size_t n>
-int stepped(const std::array<int, n>& values, int value, int step) {
+int stepped(std::span<const int> values, int value, int step) {
     if (step > 0) {
         const auto next = std::upper_bound(values.begin(), values.end(), value);
         return next == values.end() ? values.front() : *next;
@@ -46,21 +47,35 @@ Option range(const char* label, int& value, int lower, int upper, int by, std::s
     entry.has_less = value > lower;
     entry.has_more = value < upper;
     entry.level = static_cast<float>(value - lower) / static_cast<float>(upper - lower);
-    return {entry, [&value, lower, upper, by](int step) {
+    return {entry,
+            [&value, lower, upper, by](int step) {
                 value = std::clamp(value + step * by, lower, upper);
+            },
+            [&value, lower, upper, by](float level) {
+                const auto steps = static_cast<float>((upper - lower) / by);
+                value = lower + by * static_cast<int>(std::lround(level * steps));
             }};
 }
 
-Option window_size(PlayerSettings& settings) {
+// Those that fit the screen; the smallest in any case.
+std::vector<WindowSize> sizes_for(const OptionsScreen& screen) {
+    std::vector<WindowSize> sizes = {window_sizes[0]};
+    for (const WindowSize& size : window_sizes)
+        if (size[0] > sizes[0][0] && size[0] <= screen.most_width && size[1] <= screen.most_height)
+            sizes.push_back(size);
+    return sizes;
+}
+
+Option window_size(const OptionsScreen& screen) {
+    PlayerSettings& settings = *screen.settings;
     const std::string text =
         std::to_string(settings.width) + " \xc3\x97 " + std::to_string(settings.height);
     return {{.label = "Window", .value = text, .enabled = !settings.fullscreen},
-            [&settings](int step) {
-                std::array<int, window_sizes.size()> widths;
-                std::transform(window_sizes.begin(), window_sizes.end(), widths.begin(),
-                               [](const WindowSize& size) { return size[0]; });
+            [&settings, sizes = sizes_for(screen)](int step) {
+                std::vector<int> widths;
+                for (const WindowSize& size : sizes) widths.push_back(size[0]);
                 settings.width = stepped(widths, settings.width, step);
-                for (const WindowSize& size : window_sizes)
+                for (const WindowSize& size : sizes)
                     if (size[0] == settings.width) settings.height = size[1];
             }};
 }
@@ -80,15 +95,19 @@ Option sensitivity(PlayerSettings& settings) {
     entry.has_less = tenths > 2;
     entry.has_more = tenths < 30;
     entry.level = static_cast<float>(tenths - 2) / 28.0f;
-    return {entry, [&settings, tenths](int step) {
+    return {entry,
+            [&settings, tenths](int step) {
                 settings.sensitivity = std::clamp(tenths + step, 2, 30) / 10.0;
+            },
+            [&settings](float level) {
+                settings.sensitivity = static_cast<double>(2 + std::lround(28.0f * level)) / 10.0;
             }};
 }
 
 std::vector<Option> all_options(OptionsScreen& screen) {
     PlayerSettings& settings = *screen.settings;
     std::vector<Option> options = {
-        window_size(settings),
+        window_size(screen),
         toggle("Full screen", settings.fullscreen),
         render_scale(settings),
         range("Field of view", settings.field_of_view, 45, 90, 5,
@@ -150,8 +169,13 @@ Action show_options(Page& page, OptionsScreen& screen) {
     draw_footer(page, true);
     if (choice.kind == Choice::Kind::none) return Action::none;
     if (choice.kind == Choice::Kind::back || choice.entry >= options.size()) return Action::back;
-    options[choice.entry].change(choice.kind == Choice::Kind::less ? -1 : 1);
-    return Action::changed;
+    const Option& option = options[choice.entry];
+    const PlayerSettings before = *screen.settings;
+    if (choice.kind == Choice::Kind::set)
+        option.set(choice.level);
+    else
+        option.change(choice.kind == Choice::Kind::less ? -1 : 1);
+    return *screen.settings == before ? Action::none : Action::changed;
 }
 
 } // namespace host::ui

@@ -25,6 +25,8 @@ EntryBoxes lay_out(const Canvas& canvas, const Column& column, size_t index) {
     boxes.less = {{boxes.row.upper.x - value, boxes.row.lower.y},
                   {boxes.row.upper.x - 0.5f * value, boxes.row.upper.y}};
     boxes.more = {{boxes.row.upper.x - 0.5f * value, boxes.row.lower.y}, boxes.row.upper};
+    const glm::vec2 arrow(canvas.px(26.0f), 0.0f);
+    boxes.slider = {boxes.less.lower + arrow, boxes.more.upper - arrow};
     return boxes;
 }
 
@@ -37,10 +39,12 @@ void draw_value(const Canvas& canvas, const Entry& entry, const EntryBoxes& boxe
                 entry.value, Align::center);
     const float inset = canvas.px(10.0f);
     if (bar) {
-        const glm::vec2 a(boxes.less.lower.x + 2.6f * inset, middle + 0.52f * high);
-        const glm::vec2 b(boxes.more.upper.x - 2.6f * inset, a.y);
+        const glm::vec2 a(boxes.slider.lower.x, middle + 0.52f * high);
+        const glm::vec2 b(boxes.slider.upper.x, a.y), at = a + entry.level * (b - a);
+        const Color& lit = selected ? theme::core : theme::dim;
         canvas.line(a, b, theme::faint, 2.0f);
-        canvas.line(a, a + entry.level * (b - a), selected ? theme::core : theme::dim, 2.0f);
+        canvas.line(a, at, lit, 2.0f);
+        canvas.disc(at, 4.0f, lit);
     }
     if (!selected) return;
     if (entry.has_less)
@@ -81,7 +85,8 @@ Choice run_column(Page& page, const Column& column, const std::vector<Entry>& en
     for (size_t i = 0; i < entries.size(); ++i)
         draw_entry(page.canvas, entries[i], boxes[i], i == page.menu.selected());
     page.sounds.moved = page.sounds.moved || choice.moved;
-    page.sounds.chosen = page.sounds.chosen || choice.kind != Choice::Kind::none;
+    page.sounds.chosen =
+        page.sounds.chosen || (choice.kind != Choice::Kind::none && !choice.dragged);
     return choice;
 }
 

@@ -36,8 +36,9 @@ Action show_title(Page& page, TitleScreen& screen);
 Action show_pause(Page& page, const PauseScreen& screen);
 Action show_options(Page& page, OptionsScreen& screen);
 Action show_end(Page& page, const EndScreen& screen);
-void show_hud(const Canvas& canvas, const Hud& hud, double now);
-void show_marks(const Canvas& canvas, const Hud& hud);
+// Marks keep clear of what is `taken`.
+void show_hud(const Canvas& canvas, const Hud& hud, double now, std::span<const Box> taken);
+void show_marks(const Canvas& canvas, const Hud& hud, std::vector<Box> taken);
 void show_arc(const Canvas& canvas, const Arc& arc);
 
 } // namespace host::ui

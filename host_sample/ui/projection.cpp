@@ -9,6 +9,16 @@ namespace {
 
 constexpr float nearest = 0.05f; // metres before the eye
 constexpr int ring_corners = 40;
+constexpr float storey = 2.2f;          // metres
+constexpr float behind_bearing = 1.75f; // radians: 100 degrees
+
+bool is_steep(const Sight& sight) {
+    return std::abs(sight.rise) > 0.7f * sight.distance;
+}
+
+bool is_behind(const Sight& sight) {
+    return !is_steep(sight) && std::abs(sight.bearing) > behind_bearing;
+}
 
 } // namespace
 
@@ -33,6 +43,15 @@ std::optional<glm::vec2> Projection::place(const glm::dvec3& point) const {
     return center_ + focal_ / seen.z * glm::vec2(seen.x, -seen.y);
 }
 
+// What is behind is reached by a turn, and shown as on a compass; what is straight behind lies at
+// the bottom. All else is where it would come into view.
+glm::vec2 Projection::way_out(const glm::vec3& seen, const Sight& sight) const {
+    if (is_behind(sight)) return {std::sin(sight.bearing), -std::cos(sight.bearing)};
+    const glm::vec2 way(seen.x, -seen.y);
+    const float length = glm::length(way);
+    return length > 1e-6f ? way / length : glm::vec2(0.0f, 1.0f);
+}
+
 Sight Projection::sight(const glm::dvec3& point) const {
     // A level bearing: who looks down at their feet still wants to know left from right.
     const glm::vec3 way(point - eye_);
@@ -42,12 +61,23 @@ Sight Projection::sight(const glm::dvec3& point) const {
     sight.bearing = std::atan2(glm::dot(glm::vec2(way.x, way.z), glm::vec2(right_.x, right_.z)),
                                glm::dot(glm::vec2(way.x, way.z), glm::normalize(ahead)));
     sight.distance = glm::length(way);
+    sight.rise = way.y;
     if (const auto found = place(point)) {
         sight.place = *found;
         sight.in_view = found->x >= 0.0f && found->x < 2.0f * center_.x && found->y >= 0.0f
                         && found->y < 2.0f * center_.y;
     }
+    if (!sight.in_view) sight.out = way_out(in_view_space(point), sight);
     return sight;
+}
+
+std::string whereabouts(const Sight& sight) {
+    if (sight.in_view) return {};
+    std::string words;
+    if (std::abs(sight.rise) > storey || is_steep(sight))
+        words = sight.rise > 0.0f ? "above" : "below";
+    if (!is_behind(sight)) return words;
+    return words.empty() ? "behind" : words + ", behind";
 }
 
 float Projection::radius(const glm::dvec3& middle, double metres) const {

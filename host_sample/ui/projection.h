@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "level.h"
@@ -12,9 +13,15 @@ namespace host::ui {
 struct Sight {
     glm::vec2 place{0.0f}; // pixels; only if in_view
     bool in_view = false;
+    glm::vec2 out{0.0f};   // unit, on the window: which way to turn; only if not in_view
     float bearing = 0.0f;  // radians; 0: ahead, positive: to the right
     float distance = 0.0f; // metres
+    float rise = 0.0f;     // metres above the eye
 };
+
+// "above", "below", "behind", two of them ("below, behind") or nothing: where to look for what is
+// not in view. A storey higher or lower counts, and what is steep above or below the eye.
+std::string whereabouts(const Sight& sight);
 
 // From the level to the window's pixels, as the engine's pinhole camera sees it.
 class Projection {
@@ -29,6 +36,7 @@ public:
 
 private:
     glm::vec3 in_view_space(const glm::dvec3& point) const; // right, up, forward
+    glm::vec2 way_out(const glm::vec3& seen, const Sight& sight) const;
 
     glm::dvec3 eye_;
     glm::vec3 right_, up_, forward_;

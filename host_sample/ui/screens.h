@@ -45,8 +45,9 @@ struct PauseScreen {
 };
 
 struct OptionsScreen {
-    PlayerSettings* settings;  // never null
-    bool has_vibration = true; // of the device in use
+    PlayerSettings* settings;                    // never null
+    int most_width = 16384, most_height = 16384; // of a window that fits the screen
+    bool has_vibration = true;                   // of the device in use
     bool has_sound = true;
 };
 
@@ -58,7 +59,7 @@ struct EndScreen {
     bool won = false;
     std::string level;
     three_cores::Difficulty difficulty = three_cores::Difficulty::normal;
-    std::string cause; // lost: a sentence, e.g. "A drone shot you three times."
+    std::string story; // a sentence: how it went, or what ended it
     double seconds = 0.0;
     uint32_t score = 0;
     std::vector<Line> lines;

@@ -30,7 +30,12 @@ constexpr Color mixed(const Color& a, const Color& b, float t) {
     return a + (b - a) * t;
 }
 
-// From calm to alarmed.
+// Of drones, as their beams: amber when suspicious, red when alarmed and never before.
+constexpr Color mood(float suspicion, bool alarmed) {
+    return alarmed ? red : suspicion < 0.5f ? mixed(text, amber, 2.0f * suspicion) : amber;
+}
+
+// From nothing to 1: of what is seen, and of a fuse.
 constexpr Color danger(float suspicion) {
     return suspicion < 0.5f ? mixed(text, amber, 2.0f * suspicion)
                             : mixed(amber, red, 2.0f * suspicion - 1.0f);

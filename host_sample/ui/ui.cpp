@@ -34,6 +34,10 @@ float unit_of(glm::vec2 size) {
     return std::max(0.3f, std::min(size.y / theme::design_height, size.x / theme::design_width));
 }
 
+Canvas fitted_to(const Canvas& canvas, const std::string& sentence) {
+    return canvas.fitted(canvas.width(Face::small, sentence), canvas.size().x - canvas.px(100.0f));
+}
+
 } // namespace
 
 struct Ui::State {
@@ -54,6 +58,7 @@ struct Ui::State {
     std::optional<Canvas> canvas;
 
     void make_fonts();
+    Box toast_box(size_t number) const;
     void draw_toasts();
     Page open(Screen screen);
 };
@@ -135,7 +140,9 @@ Page Ui::State::open(Screen screen) {
 }
 
 void Ui::hud(const Hud& hud) {
-    show_hud(*state_->canvas, hud, state_->now);
+    std::vector<Box> toasts;
+    for (size_t i = 0; i < state_->toasts.size(); ++i) toasts.push_back(state_->toast_box(i));
+    show_hud(*state_->canvas, hud, state_->now, toasts);
 }
 
 Action Ui::title(TitleScreen& screen) {
@@ -170,24 +177,29 @@ void Ui::loading(const std::string& text, float fraction) {
     canvas.line(a, a + glm::vec2(std::clamp(fraction, 0.0f, 1.0f) * wide, 0.0f), theme::core, 3.0f);
 }
 
+Box Ui::State::toast_box(size_t number) const {
+    const std::string& sentence = toasts[number].sentence;
+    const float wide =
+        fitted_to(*canvas, sentence).width(Face::small, sentence) + canvas->px(28.0f);
+    const glm::vec2 lower(canvas->size().x - canvas->px(theme::margin) - wide,
+                          canvas->px(108.0f + 42.0f * static_cast<float>(number)));
+    return {lower, lower + glm::vec2(wide, canvas->px(34.0f))};
+}
+
 void Ui::State::draw_toasts() {
     canvas->set_alpha(1.0f);
-    float top = canvas->px(92.0f);
-    for (Toast& toast : toasts) {
+    for (size_t i = 0; i < toasts.size(); ++i) {
+        Toast& toast = toasts[i];
         toast.age += frame.seconds;
         const double fading = std::min(toast.age / 0.25, (toast_seconds - toast.age) / 0.5);
         const auto alpha = static_cast<float>(std::clamp(fading, 0.0, 1.0));
-        const Canvas fitted = canvas->fitted(canvas->width(Face::small, toast.sentence),
-                                             canvas->size().x - canvas->px(100.0f));
-        const float wide = fitted.width(Face::small, toast.sentence) + canvas->px(28.0f);
-        const glm::vec2 lower(canvas->size().x - canvas->px(theme::margin) - wide, top);
-        const glm::vec2 upper(lower.x + wide, top + canvas->px(34.0f));
+        const auto [lower, upper] = toast_box(i);
         canvas->rectangle(lower, upper, theme::faded(theme::night, 0.75f * alpha), 5.0f);
         canvas->rectangle(lower, {lower.x + canvas->px(3.0f), upper.y},
                           theme::faded(theme::core, alpha));
-        fitted.text(lower + canvas->px(1.0f) * glm::vec2(15.0f, 8.0f), Face::small,
-                    theme::faded(theme::text, alpha), toast.sentence);
-        top += canvas->px(42.0f);
+        fitted_to(*canvas, toast.sentence)
+            .text(lower + canvas->px(1.0f) * glm::vec2(15.0f, 8.0f), Face::small,
+                  theme::faded(theme::text, alpha), toast.sentence);
     }
     std::erase_if(toasts, [](const Toast& toast) { return toast.age >= toast_seconds; });
 }

@@ -183,6 +183,18 @@ TEST_F(GameRound, RunsOnAThreadOfItsOwnWhileFramesRender) {
     EXPECT_TRUE(live.shown().cores.empty());
 }
 
+// Five frames a second: as many ticks as the clock says.
+TEST_F(GameRound, SlowFramesKeepTheTime) {
+    game::Actors actors(stage, game::find_props(stage, props_level()));
+    RoundSetup setup;
+    game::LiveRound live(stage, plan, setup, actors);
+    for (int i = 0; i < 20; ++i) {
+        live.advance({}, 0.2);
+        live.finish();
+    }
+    EXPECT_NEAR(live.shown().status.seconds, 4.0, 0.02);
+}
+
 // What is only to be seen is in no query of the rules.
 TEST_F(GameRound, ActorsAreSeenButNotMet) {
     Round round(stage, plan, {});

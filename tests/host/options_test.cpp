@@ -75,6 +75,8 @@ TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
              {"--time", "nan"},
              {"--time-step", "-1"},
              {"--out", "a.png"},
+             {"--headless", "--out", "a.gif"},
+             {"--headless", "--out", "a_%d.txt"},
              {"--difficulty", "absurd"},
              {"--seed", "-1"},
              {"--seed", "72057594037927936"},

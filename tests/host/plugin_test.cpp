@@ -95,6 +95,15 @@ TEST_F(HostOnFakeEngine, WritesEveryFrameOfAPattern) {
     EXPECT_TRUE(fs::exists(folder / "made" / "shot_001.png"));
 }
 
+TEST_F(HostOnFakeEngine, TheScaleCountsWithoutAWindow) {
+    options.out = (folder / "shot.png").string();
+    options.scale = 0.5f;
+    Session session = open();
+    run_headless(session);
+    EXPECT_EQ(session.width, 8u);
+    EXPECT_EQ(session.height, 4u);
+}
+
 TEST_F(HostOnFakeEngine, SaysWhereItCannotWrite) {
     options.out = "/proc/nowhere/shot.png";
     Session session = open();

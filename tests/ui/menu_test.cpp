@@ -24,7 +24,7 @@ std::vector<EntryBoxes> boxes() {
 }
 
 Pointer at(float x, float y, bool pressed = false) {
-    return {{x, y}, true, pressed, true};
+    return {{x, y}, true, pressed, pressed, true};
 }
 
 TEST(Menu, KeysGoRoundAndSkipWhatIsDisabled) {
@@ -67,6 +67,37 @@ TEST(Menu, TheMouseSelectsAndClicks) {
     EXPECT_EQ(menu.update(entries, boxes(), {}, at(90, 25, true)).kind, Kind::more);
     EXPECT_EQ(menu.update(entries, boxes(), {}, at(30, 25, true)).kind, Kind::none);
     EXPECT_EQ(menu.update(entries, boxes(), {}, at(500, 25, true)).kind, Kind::none);
+}
+
+//   [ Size   less |--slider--| more ]
+TEST(Menu, ASliderIsDragged) {
+    Menu menu;
+    const std::vector<Entry> volume = {{.label = "Play"},
+                                       {.label = "Volume", .value = "50 %", .level = 0.5f}};
+    auto places = boxes();
+    places.resize(2);
+    places[1].slider = {{65, 10}, {95, 20}};
+    const auto mouse = [&](float x, float y, bool pressed, bool held) {
+        return menu.update(volume, places, {}, {{x, y}, true, pressed, held, true});
+    };
+    Choice choice = mouse(74, 15, true, true);
+    EXPECT_EQ(choice.kind, Kind::set);
+    EXPECT_EQ(choice.entry, 1u);
+    EXPECT_FLOAT_EQ(choice.level, 0.3f);
+    EXPECT_FALSE(choice.dragged);
+    choice = mouse(80, 15, false, true);
+    EXPECT_EQ(choice.kind, Kind::set);
+    EXPECT_FLOAT_EQ(choice.level, 0.5f);
+    EXPECT_TRUE(choice.dragged);
+    choice = mouse(300, 2, false, true); // off the row, over another one
+    EXPECT_EQ(choice.entry, 1u);
+    EXPECT_EQ(choice.level, 1.0f);
+    EXPECT_EQ(mouse(-50, 2, false, true).level, 0.0f);
+    EXPECT_EQ(mouse(80, 15, false, false).kind, Kind::none); // let go
+    EXPECT_EQ(mouse(80, 15, false, true).kind, Kind::none);
+    EXPECT_EQ(mouse(62, 15, true, true).kind, Kind::less) << "the arrow before it";
+    EXPECT_EQ(mouse(98, 15, true, true).kind, Kind::more);
+    EXPECT_EQ(mouse(98, 15, false, true).kind, Kind::none) << "an arrow is not dragged";
 }
 
 TEST(Menu, AMouseAtRestLeavesTheKeysAlone) {

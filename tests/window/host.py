@@ -11,9 +11,10 @@ SIZE = (640, 400)
 
 
 class Host:
-    """The program under test and its window. Its working folder and its user's files are new."""
+    """The program under test and its window. Its user's files are new, and its working folder, too,
+    if none is given."""
 
-    def __init__(self, display, program, *arguments, size=SIZE):
+    def __init__(self, display, program, *arguments, size=SIZE, folder=None):
         self.display = display
         self.size = size
         self.folder = tempfile.TemporaryDirectory()
@@ -25,7 +26,7 @@ class Host:
         self.process = subprocess.Popen(
             [program, "--size", "%dx%d" % size, "--quiet", *arguments],
             env=self.environment,
-            cwd=self.folder.name,
+            cwd=folder or self.folder.name,
         )
         self.window = self.wait_for(self.find_window, 120, "its window")
 
@@ -42,7 +43,7 @@ class Host:
         ).stdout.strip()
 
     def find_window(self):
-        return self.xdotool("search", "--name", "^Peregrine").split("\n")[0]
+        return self.xdotool("search", "--name", "^(Peregrine|Three Cores)").split("\n")[0]
 
     def title(self):
         return self.xdotool("getwindowname", self.window)

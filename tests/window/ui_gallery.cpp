@@ -80,7 +80,8 @@ Hud alarm_hud(const Projection& projection) {
     Hud hud = calm_hud();
     hud.seen = 0.8f;
     hud.light = 0.9f;
-    hud.alarm = 1.0f;
+    hud.alarm = 0.8f; // it was certain a while ago
+    hud.alarmed = true;
     hud.lives = 1;
     hud.hint = {};
     hud.drone_marks = {mark_at(projection, {1.9, 3.0, -9.0}, 1.0f, 0.6f),
@@ -100,10 +101,31 @@ Hud gate_hud(const Projection& projection) {
     return hud;
 }
 
+Hud suspicious_hud(const Projection& projection) {
+    Hud hud = calm_hud();
+    hud.seen = 0.4f;
+    hud.alarm = 0.9f;
+    hud.drone_marks = {mark_at(projection, {0.3, 5.9, -9.0}, 0.9f, 0.0f),
+                       mark_at(projection, {6.0, 3.0, 3.0}, 0.7f, 0.0f)};
+    return hud;
+}
+
+// In all directions, and some where the HUD is or where others are.
+Hud goals_hud(const Projection& projection) {
+    Hud hud = calm_hud();
+    for (const glm::dvec3 place :
+         {glm::dvec3(0.0, 5.5, -9.0), glm::dvec3(0.2, 1.2, -14.0), glm::dvec3(0.4, 1.2, -15.0),
+          glm::dvec3(9.0, 1.2, -2.0), glm::dvec3(-9.0, 6.0, -1.0), glm::dvec3(0.5, 1.2, 12.0),
+          glm::dvec3(-0.5, -4.0, 14.0), glm::dvec3(0.5, 9.0, -1.0), glm::dvec3(0.2, -6.0, 0.3)})
+        hud.goals.push_back({projection.sight(place), "CORE"});
+    return hud;
+}
+
 EndScreen won_screen() {
     EndScreen end;
     end.won = true;
     end.level = "The hall at night";
+    end.story = "All three cores are yours, and the night keeps quiet.";
     end.seconds = 214.38;
     end.score = 12350;
     end.lines = {{"Cores", "3 000"},
@@ -120,7 +142,7 @@ EndScreen lost_screen() {
     EndScreen end;
     end.level = "The hall at night";
     end.difficulty = Difficulty::hard;
-    end.cause = "A drone's third shot found you on the gallery.";
+    end.story = "A drone's third shot found you on the gallery.";
     end.seconds = 96.2;
     end.score = 2250;
     end.lines = {{"Cores", "1 of 3"}, {"Drones put out", "2 of 6"}};
@@ -165,8 +187,9 @@ protected:
         const std::string size = std::to_string(GetParam().width) + "x"
                                  + std::to_string(GetParam().height)
                                  + (GetParam().modern ? "" : "_gl2");
-        write_png(folder_ / (name + "_" + size + ".png"), static_cast<uint32_t>(window_.width()),
-                  static_cast<uint32_t>(window_.height()), after);
+        write_picture_file(folder_ / (name + "_" + size + ".png"),
+                           static_cast<uint32_t>(window_.width()),
+                           static_cast<uint32_t>(window_.height()), after);
         expect_drawn(name, before, after);
     }
 
@@ -228,6 +251,10 @@ TEST_P(Gallery, Playing) {
     hang("grenade", [&] { ui_->hud(grenade); });
     const Hud alarm = alarm_hud(projection());
     hang("alarm", [&] { ui_->hud(alarm); });
+    const Hud suspicious = suspicious_hud(projection());
+    hang("suspicious", [&] { ui_->hud(suspicious); });
+    const Hud goals = goals_hud(projection());
+    hang("goals", [&] { ui_->hud(goals); });
     const Hud gate = gate_hud(projection());
     hang("gate", [&] { ui_->hud(gate); });
 }
@@ -251,7 +278,7 @@ TEST_P(Gallery, WonAndLost) {
     hang("won", [&] { ui_->end(won_screen()); });
     hang("lost", [&] { ui_->end(lost_screen()); });
     EndScreen wordy = lost_screen();
-    wordy.cause = std::string(150, 'x') + ".";
+    wordy.story = std::string(150, 'x') + ".";
     hang("lost_wordy", [&] { ui_->end(wordy); });
 }
 
@@ -304,6 +331,7 @@ TEST_P(Gallery, AllEntriesAreReachedByClicks) {
                 {x * static_cast<float>(window_.width()), y * static_cast<float>(window_.height())},
                 true,
                 true,
+                true,
                 true};
             ui_->begin(next);
             actions.insert(ui_->title(title));
@@ -311,6 +339,54 @@ TEST_P(Gallery, AllEntriesAreReachedByClicks) {
         }
     EXPECT_EQ(actions, (std::set{Action::none, Action::play, Action::options, Action::quit,
                                  Action::changed}));
+}
+
+// Presses somewhere in the column of sliders, then pulls to the left and to the right end.
+TEST_P(Gallery, SlidersAreDragged) {
+    ASSERT_TRUE(window_.open());
+    OptionsScreen options{&settings_};
+    const auto mouse = [&](float x, float y, bool pressed, bool held) {
+        Frame next = frame(0.02);
+        next.pointer = {glm::vec2(x, y) * glm::vec2(window_.width(), window_.height()), true,
+                        pressed, held, true};
+        ui_->begin(next);
+        ui_->options(options);
+        ui_->end_frame();
+    };
+    const float unit = std::min(static_cast<float>(window_.height()) / 720.0f,
+                                static_cast<float>(window_.width()) / 940.0f);
+    const float column = (72.0f + 420.0f - 100.0f) * unit / static_cast<float>(window_.width());
+    const PlayerSettings before = settings_;
+    std::set<int> lowest;
+    for (float y = 0.15f; y < 0.9f; y += 0.03f) {
+        mouse(column, y, true, true);
+        mouse(0.0f, 0.99f, false, true);
+        lowest.insert(settings_.volume);
+        mouse(1.0f, 0.01f, false, true);
+        mouse(1.0f, 0.01f, false, false);
+    }
+    EXPECT_TRUE(lowest.contains(0));
+    EXPECT_EQ(settings_.volume, 100);
+    EXPECT_EQ(settings_.field_of_view, 90);
+    EXPECT_EQ(settings_.sensitivity, 3.0);
+    EXPECT_NE(settings_, before);
+}
+
+TEST_P(Gallery, NoWindowIsOfferedThatIsLargerThanTheScreen) {
+    ASSERT_TRUE(window_.open());
+    OptionsScreen options{&settings_};
+    options.most_width = 1366;
+    options.most_height = 740;
+    std::set<int> widths;
+    for (int i = 0; i < 8; ++i) {
+        Frame next = frame(0.02);
+        next.menu.right = true;
+        ui_->begin(next);
+        ui_->options(options);
+        ui_->end_frame();
+        widths.insert(settings_.width);
+    }
+    EXPECT_EQ(widths, (std::set{640, 960, 1280}));
 }
 
 TEST_P(Gallery, OptionsComeBackToTheirEntry) {
