@@ -4,6 +4,7 @@
 #include "scene/snapshot.h"
 #include "shade/prepared_light.h"
 #include "shade/surface.h"
+#include "shade/triangle_shading.h"
 
 #include <cstdint>
 
@@ -31,7 +32,7 @@ struct ShadowRays {
 struct Kernels {
     // What lies at the hits. `features`: what to look at (scene::Feature bits).
     void (*find_surfaces)(const scene::Snapshot& snapshot, uint32_t features,
-                          float intersection_error, const RayHits& hits, Surface& out);
+                          const SurfaceSpace& space, const RayHits& hits, Surface& out);
 
     // By type of light, and whether anything is specular. Weighs the light at each point and lists
     // the rays toward it from those that it may reach; returns their number.

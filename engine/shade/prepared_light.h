@@ -23,16 +23,23 @@ struct PreparedLight {
 };
 
 // Shadow rays run from the light if it is within the bounds of the scene: the lift of surfaces
-// covers the errors of rays from there (see intersection_error).
-inline PreparedLight prepare(const scene::Light& light, const math::Box& bounds) {
+// covers the errors of rays from there (see SurfaceSpace). Positions are relative to `origin`.
+inline PreparedLight prepare(const scene::Light& light, const math::Box& bounds,
+                             const math::Vec3d& origin) {
     const bool finite = light.type != scene::LightType::directional;
     const float gain = finite ? kFalloffGain / (light.radius * light.radius) : 1.0f;
     const float cone = std::max(light.cone_inner_cos - light.cone_outer_cos, 1e-5f);
     const math::Vec3 position(light.position);
     const bool inside = finite && glm::clamp(position, bounds.lower, bounds.upper) == position;
-    return {light.type,   light.casts_shadow,  inside,
-            position,     light.direction,     light.intensity * gain,
-            light.radius, 1.0f / light.radius, light.cone_outer_cos,
+    return {light.type,
+            light.casts_shadow,
+            inside,
+            math::Vec3(light.position - origin),
+            light.direction,
+            light.intensity * gain,
+            light.radius,
+            1.0f / light.radius,
+            light.cone_outer_cos,
             1.0f / cone};
 }
 
