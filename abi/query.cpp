@@ -51,20 +51,20 @@ const math::Ray* ray_in_place(const rt_query_desc& desc) {
     return is_aligned ? reinterpret_cast<const math::Ray*>(desc.rays) : nullptr;
 }
 
-// Calls with(trace), where trace(snapshot, ray, filter) answers what the descriptor asks of one
-// ray; false if there is no place for the answer.
+// Calls with(trace), where trace(snapshot, filter, ray, its position if that is not its origin)
+// answers what the descriptor asks of one ray; false if there is no place for the answer.
 template <class With>
 bool with_tracer(const rt_query_desc& desc, With&& with) {
     if (desc.kind == RT_QUERY_CLOSEST && desc.hits)
-        return with([&](const scene::Snapshot& snapshot, const math::Ray& ray,
-                        const trace::Filter& filter) {
-            query::closest_hit(snapshot, ray, filter, reinterpret_cast<std::byte*>(desc.hits));
+        return with([&](const scene::Snapshot& snapshot, const trace::Filter& filter,
+                        const auto&... ray) {
+            query::closest_hit(snapshot, filter, reinterpret_cast<std::byte*>(desc.hits), ray...);
         });
     if (desc.kind == RT_QUERY_ANY && desc.occluded)
-        return with([&](const scene::Snapshot& snapshot, const math::Ray& ray,
-                        const trace::Filter& filter) {
-            *desc.occluded = query::occluded(snapshot, ray, filter);
-        });
+        return with(
+            [&](const scene::Snapshot& snapshot, const trace::Filter& filter, const auto&... ray) {
+                *desc.occluded = query::occluded(snapshot, filter, ray...);
+            });
     return false;
 }
 
@@ -77,7 +77,7 @@ bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
         if (!ray) return false;
         const scene::SnapshotStore::Pin pin(host.scene.snapshots);
         if (!pin.get() || pin.get()->displaced) return false;
-        trace(*pin.get(), *ray, query::kEverything);
+        trace(*pin.get(), query::kEverything, *ray);
         return true;
     });
 }
@@ -96,9 +96,9 @@ bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
         const trace::Filter filter = query::filter_of(snapshot, selection);
         const query::Shift shift{origin_of(desc.options) - snapshot.origin};
         if (shift)
-            trace(snapshot, shift.applied(*ray), filter);
+            trace(snapshot, filter, shift.applied(*ray), trace::Position{ray->origin, shift.by});
         else
-            trace(snapshot, *ray, filter);
+            trace(snapshot, filter, *ray);
         return true;
     });
 }

@@ -46,15 +46,22 @@ inline Affine inverse(const Affine& m) {
     return out;
 }
 
-// Around the image of the box, rounded outward.
-inline Box bounds(const Affine& m, const Box& box) {
+// Around the image of the box, in double.
+inline void find_bounds(const Affine& m, const Box& box, Vec3d& lower, Vec3d& upper) {
     const Vec3d center = (Vec3d(box.lower) + Vec3d(box.upper)) * 0.5;
     const Vec3d half = (Vec3d(box.upper) - Vec3d(box.lower)) * 0.5;
     const Vec3d middle = m.point(center);
     const Vec3d reach = ((glm::abs(m.column[0]) * half.x + glm::abs(m.column[1]) * half.y)
                          + glm::abs(m.column[2]) * half.z)
                         + glm::abs(middle) * 0x1p-48;
-    const Vec3d lower = middle - reach * (1 + 0x1p-48), upper = middle + reach * (1 + 0x1p-48);
+    lower = middle - reach * (1 + 0x1p-48);
+    upper = middle + reach * (1 + 0x1p-48);
+}
+
+// ... rounded outward to float.
+inline Box bounds(const Affine& m, const Box& box) {
+    Vec3d lower, upper;
+    find_bounds(m, box, lower, upper);
     Box out;
     for (int k = 0; k < 3; ++k) {
         out.lower[k] = std::nextafter(float(lower[k]), -HUGE_VALF);

@@ -37,12 +37,16 @@ bool is_aligned(const void* address) {
 // A chunk of the host's rays as a stream: in place where its arrays allow that, else copied here.
 class Chunk {
 public:
+    // Of what was loaded.
+    const trace::Positions& positions() const { return positions_; }
+
     // Rays that are not valid may come as records of a batch that fits one chunk: then this throws.
     trace::RayStream load(const Rays& rays, uint64_t first, uint32_t count,
                           const RayLoaders& loaders) {
         const float* lanes[8];
         rays.records ? split(rays, first, count, loaders, lanes)
                      : place(rays.arrays, first, count, lanes);
+        positions_ = {{lanes[0], lanes[1], lanes[2]}, rays.shift.by};
         if (rays.shift) [[unlikely]]
             move(rays, count, lanes);
         return {{lanes[0], lanes[1], lanes[2]},
@@ -78,7 +82,7 @@ private:
     void move(const Rays& rays, uint32_t count, const float* (&lanes)[8]) {
         const uint32_t padded = (count + kPad - 1) / kPad * kPad;
         for (int k = 0; k < 3; ++k) {
-            float* const room = room_[k].value;
+            float* const room = moved_[k].value;
             for (uint32_t i = 0; i < padded; ++i) room[i] = rays.shift.applied(lanes[k][i], k);
             lanes[k] = room;
         }
@@ -93,6 +97,8 @@ private:
     }
 
     Lane<float> room_[8];
+    Lane<float> moved_[3]; // origins
+    trace::Positions positions_;
 };
 
 // Room for a chunk's hits, and their way to the host.
@@ -159,7 +165,8 @@ private:
     Lane<uint32_t> triangle_, back_face_;
 };
 
-// Calls trace(stream, first, count) for chunk after chunk of the rays from `first` to `end`.
+// Calls trace(stream, positions, first, count) for chunk after chunk of the rays from `first` to
+// `end`.
 template <class Trace>
 void for_each_chunk(const Rays& rays, uint64_t first, uint64_t end, const RayLoaders& loaders,
                     trace::Coherence coherence, Trace&& trace) {
@@ -168,12 +175,12 @@ void for_each_chunk(const Rays& rays, uint64_t first, uint64_t end, const RayLoa
         const auto count = uint32_t(std::min<uint64_t>(end - first, kChunk));
         trace::RayStream stream = chunk.load(rays, first, count, loaders);
         stream.coherence = coherence;
-        trace(stream, first, count);
+        trace(stream, chunk.positions(), first, count);
     }
 }
 
-// ... of scattered rays, in another order: trace(stream, number, count), where ray i of the stream
-// is ray number(i) of the batch.
+// ... of scattered rays, in another order: trace(stream, positions, number, count), where ray i of
+// the stream is ray number(i) of the batch.
 template <class Trace>
 void for_each_sorted_chunk(const Rays& rays, uint64_t first, uint64_t end,
                            const RayLoaders& loaders, Trace&& trace) {
@@ -191,7 +198,7 @@ void for_each_sorted_chunk(const Rays& rays, uint64_t first, uint64_t end,
                 count, reinterpret_cast<std::byte*>(room), sizeof *room, {}, rays.shift};
             trace::RayStream stream = chunk.load(gathered, 0, count, loaders);
             stream.coherence = trace::Coherence::incoherent;
-            trace(stream, number, count);
+            trace(stream, chunk.positions(), number, count);
         }
     }
 }
@@ -220,8 +227,9 @@ void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trac
     const auto in_order = [&](uint64_t first, uint64_t end) {
         HitChunk chunk(snapshot);
         for_each_chunk(rays, first, end, loaders, coherence,
-                       [&](const trace::RayStream& stream, uint64_t begin, uint32_t count) {
-                           trace::closest(snapshot.world, stream, filter,
+                       [&](const trace::RayStream& stream, const trace::Positions& positions,
+                           uint64_t begin, uint32_t count) {
+                           trace::closest(snapshot.world, stream, positions, filter,
                                           chunk.begin(hits, begin, count));
                            chunk.end(hits, surfaces, begin, count);
                        });
@@ -232,8 +240,10 @@ void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trac
         const Hits found{reinterpret_cast<std::byte*>(room), sizeof *room, {}};
         for_each_sorted_chunk(
             rays, first, end, loaders,
-            [&](const trace::RayStream& stream, const auto& number, uint32_t count) {
-                trace::closest(snapshot.world, stream, filter, chunk.begin(found, 0, count));
+            [&](const trace::RayStream& stream, const trace::Positions& positions,
+                const auto& number, uint32_t count) {
+                trace::closest(snapshot.world, stream, positions, filter,
+                               chunk.begin(found, 0, count));
                 chunk.end(found, {}, 0, count);
                 for (uint32_t i = 0; i < count; ++i) {
                     hits.store(number(i), room[i]);
@@ -254,8 +264,9 @@ void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const tr
     const auto in_order = [&](uint64_t first, uint64_t end) {
         Lane<uint8_t> room;
         for_each_chunk(rays, first, end, loaders, coherence,
-                       [&](const trace::RayStream& stream, uint64_t begin, uint32_t count) {
-                           trace::occluded(snapshot.world, stream, filter, room.value);
+                       [&](const trace::RayStream& stream, const trace::Positions& positions,
+                           uint64_t begin, uint32_t count) {
+                           trace::occluded(snapshot.world, stream, positions, filter, room.value);
                            std::byte* place = occluded.data + begin * occluded.stride;
                            if (occluded.stride == 1) {
                                std::memcpy(place, room.value, count);
@@ -267,12 +278,14 @@ void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const tr
     };
     const auto sorted = [&](uint64_t first, uint64_t end) {
         Lane<uint8_t> room;
-        for_each_sorted_chunk(
-            rays, first, end, loaders,
-            [&](const trace::RayStream& stream, const auto& number, uint32_t count) {
-                trace::occluded(snapshot.world, stream, filter, room.value);
-                for (uint32_t i = 0; i < count; ++i) occluded.store(number(i), room.value[i]);
-            });
+        for_each_sorted_chunk(rays, first, end, loaders,
+                              [&](const trace::RayStream& stream, const trace::Positions& positions,
+                                  const auto& number, uint32_t count) {
+                                  trace::occluded(snapshot.world, stream, positions, filter,
+                                                  room.value);
+                                  for (uint32_t i = 0; i < count; ++i)
+                                      occluded.store(number(i), room.value[i]);
+                              });
     };
     spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
         wants_order(rays, first, end, coherence) ? sorted(first, end) : in_order(first, end);

@@ -25,7 +25,8 @@ void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Reque
     check_each(rays);
     const HitNames names(snapshot);
     for (uint64_t i = 0; i < rays.count; ++i) {
-        const trace::Hit found = trace::closest(snapshot.world, rays.load(i), chosen.filter());
+        const trace::Hit found =
+            trace::closest(snapshot.world, rays.load(i), rays.position(i), chosen.filter());
         const HitIds ids = names.of(found.triangle);
         const Hit hit = {found.t, found.u, found.v, ids.triangle, ids.mesh, 0, found.back_face};
         hits.store(i, hit);
@@ -41,7 +42,8 @@ void occlusion(const scene::Snapshot& snapshot, const Rays& rays, const Request&
         return occlusion_batch(snapshot, rays, chosen.filter(), request, occluded);
     check_each(rays);
     for (uint64_t i = 0; i < rays.count; ++i)
-        occluded.store(i, trace::occluded(snapshot.world, rays.load(i), chosen.filter()));
+        occluded.store(
+            i, trace::occluded(snapshot.world, rays.load(i), rays.position(i), chosen.filter()));
 }
 
 } // namespace peregrine::query

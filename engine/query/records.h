@@ -2,6 +2,7 @@
 
 #include "base/slot_map.h"
 #include "math/ray.h"
+#include "trace/world/position.h"
 
 #include <bit>
 #include <cstddef>
@@ -106,6 +107,7 @@ struct Rays {
             for (uint32_t i = 0; i < count; ++i) to[i] = arrays.load(number(i));
     }
     math::Vec3 own_origin(uint64_t i) const { return load_vector(i, 0); }
+    trace::Position position(uint64_t i) const { return {own_origin(i), shift.by}; }
     math::Vec3 direction(uint64_t i) const { return load_vector(i, 4); }
 
     Rays part(uint64_t first, uint64_t end) const {

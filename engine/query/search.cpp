@@ -72,20 +72,21 @@ void search_each(const scene::Snapshot& snapshot, const Rays& rays, const Reques
 
 void search_closest(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                     const Hits& hits, const Surfaces& surfaces) {
-    search_each(snapshot, rays, request,
-                [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
-                    trace::WorldHit found;
-                    const Hit hit = search.closest(ray, found) ? to_host(snapshot, found) : kMiss;
-                    hits.store(i, hit);
-                    if (surfaces) surfaces.store(i, surface_at(snapshot, hit, surfaces.fields));
-                });
+    search_each(
+        snapshot, rays, request, [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
+            trace::WorldHit found;
+            const Hit hit =
+                search.closest(ray, rays.position(i), found) ? to_host(snapshot, found) : kMiss;
+            hits.store(i, hit);
+            if (surfaces) surfaces.store(i, surface_at(snapshot, hit, surfaces.fields));
+        });
 }
 
 void search_any(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                 const Strided<uint8_t>& occluded) {
     search_each(snapshot, rays, request,
                 [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
-                    occluded.store(i, search.occluded(ray));
+                    occluded.store(i, search.occluded(ray, rays.position(i)));
                 });
 }
 
@@ -101,7 +102,7 @@ void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& 
                     lists.surfaces.store(place, surface_at(snapshot, to_host(snapshot, found),
                                                            lists.surfaces.fields));
             };
-            lists.counts.store(i, search.crossings(ray, lists.most, store));
+            lists.counts.store(i, search.crossings(ray, rays.position(i), lists.most, store));
         });
 }
 
@@ -111,7 +112,7 @@ void count_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request
     search_each(snapshot, rays, request,
                 [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
                     const auto ignore = [](uint32_t, const trace::WorldHit&) {};
-                    counts.store(i, search.crossings(ray, kAll, ignore));
+                    counts.store(i, search.crossings(ray, rays.position(i), kAll, ignore));
                 });
 }
 

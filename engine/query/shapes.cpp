@@ -11,6 +11,7 @@ namespace peregrine::query {
 
 using math::Vec3;
 using math::Vec3d;
+using trace::Position;
 
 // Columns of the rotation matrix. Lengths are told from 0 by the largest component, so that none
 // vanishes.
@@ -98,17 +99,18 @@ Prepared prepare(const Shape& shape, const trace::Filter& filter, const trace::W
     return out;
 }
 
-// `record` is as the host placed it, and so is the answer.
+// `record` is as the host placed it, relative to `base`, and so is the answer.
 SweepHit sweep_one(const trace::World& world, const HitNames& names, const Sweep& record,
-                   const Sweep& sweep, const trace::Filter& filter, bool skip_separating,
-                   const trace::Watch* watch) {
+                   const math::Vec3d& base, const Sweep& sweep, const trace::Filter& filter,
+                   bool skip_separating, const trace::Watch* watch) {
     const trace::SweepQuery query{{sweep.center, sweep.axis, sweep.direction, sweep.radius},
                                   filter,
                                   sweep.t_max,
                                   skip_separating,
                                   watch};
-    const trace::FirstHit hit = trace::sweep(
-        world, volume_of(sweep.center, sweep.direction, sweep.axis, sweep.radius), query);
+    const trace::FirstHit hit =
+        trace::sweep(world, volume_of(sweep.center, sweep.direction, sweep.axis, sweep.radius),
+                     {record.center, base}, query);
     const HitIds ids = names.of(hit.triangle);
     if (hit.triangle == geometry::kNoTriangle)
         return {hit.t, Vec3(0), Vec3(0), 0, ids.triangle, ids.mesh, 0};
@@ -123,13 +125,13 @@ SweepHit sweep_one(const trace::World& world, const HitNames& names, const Sweep
 
 // All that the shape touches, a bufferful at a time.
 uint32_t collect(const trace::World& world, const HitNames& names, const Prepared& shape,
-                 const OverlapLists& lists, uint64_t index) {
+                 const Position& position, const OverlapLists& lists, uint64_t index) {
     trace::Touched touched;
     uint32_t count = 0;
     uint64_t first = 0;
     do {
         touched.restart(first);
-        trace::collect(world, shape.volume, shape.query, touched);
+        trace::collect(world, shape.volume, position, shape.query, touched);
         touched.finish();
         for (const uint64_t key : touched) {
             first = key + 1;
@@ -143,11 +145,12 @@ uint32_t collect(const trace::World& world, const HitNames& names, const Prepare
 }
 
 NearestPoint nearest_one(const trace::World& world, const HitNames& names, const Point& record,
-                         const Point& point, const trace::Filter& filter,
+                         const math::Vec3d& base, const Point& point, const trace::Filter& filter,
                          const trace::Watch* watch) {
     const trace::NearestQuery query{Vec3d(point.position), filter, point.radius, watch};
     const trace::NearestHit hit =
-        trace::nearest(world, volume_of(point.position, Vec3(0), Vec3(0), point.radius), query);
+        trace::nearest(world, volume_of(point.position, Vec3(0), Vec3(0), point.radius),
+                       {record.position, base}, query);
     const HitIds ids = names.of(hit.triangle);
     if (hit.triangle == geometry::kNoTriangle)
         return {hit.distance, Vec3(0), Vec3(0), 0, 0, ids.triangle, ids.mesh};
@@ -190,8 +193,8 @@ void sweep(const scene::Snapshot& snapshot, const Placed<Sweep>& sweeps, const R
     const bool skip = request.selection.skip_separating;
     for_each(snapshot, sweeps, request,
              [&](uint64_t i, const Sweep& sweep, const Filter& filter, const Watch* watch) {
-                 hits.store(i, sweep_one(snapshot.world, names, sweep, sweeps.moved(sweep), filter,
-                                         skip, watch));
+                 hits.store(i, sweep_one(snapshot.world, names, sweep, sweeps.shift.by,
+                                         sweeps.moved(sweep), filter, skip, watch));
              });
 }
 
@@ -200,8 +203,9 @@ void overlap_any(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
     for_each(snapshot, shapes, request,
              [&](uint64_t i, const Shape& shape, const Filter& filter, const Watch* watch) {
                  const Prepared prepared = prepare(shapes.moved(shape), filter, watch);
-                 overlaps.store(i,
-                                trace::overlaps(snapshot.world, prepared.volume, prepared.query));
+                 overlaps.store(i, trace::overlaps(snapshot.world, prepared.volume,
+                                                   Position{shape.center, shapes.shift.by},
+                                                   prepared.query));
              });
 }
 
@@ -211,7 +215,8 @@ void overlap_all(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
     for_each(snapshot, shapes, request,
              [&](uint64_t i, const Shape& shape, const Filter& filter, const Watch* watch) {
                  const Prepared prepared = prepare(shapes.moved(shape), filter, watch);
-                 lists.counts.store(i, collect(snapshot.world, names, prepared, lists, i));
+                 lists.counts.store(i, collect(snapshot.world, names, prepared,
+                                               {shape.center, shapes.shift.by}, lists, i));
              });
 }
 
@@ -220,8 +225,8 @@ void nearest(const scene::Snapshot& snapshot, const Placed<Point>& points, const
     const HitNames names(snapshot);
     for_each(snapshot, points, request,
              [&](uint64_t i, const Point& point, const Filter& filter, const Watch* watch) {
-                 nearest.store(i, nearest_one(snapshot.world, names, point, points.moved(point),
-                                              filter, watch));
+                 nearest.store(i, nearest_one(snapshot.world, names, point, points.shift.by,
+                                              points.moved(point), filter, watch));
              });
 }
 

@@ -11,17 +11,22 @@ namespace peregrine::query {
 
 inline constexpr trace::Filter kEverything;
 
-inline void closest_hit(const scene::Snapshot& snapshot, const math::Ray& ray,
-                        const trace::Filter& filter, std::byte* place) {
+// A ray that is relative to a point comes with its position.
+template <class... Position>
+[[gnu::always_inline]] inline void closest_hit(const scene::Snapshot& snapshot,
+                                               const trace::Filter& filter, std::byte* place,
+                                               const math::Ray& ray, const Position&... position) {
     check_ray(0, ray);
-    const trace::Hit hit = trace::closest(snapshot.world, ray, filter);
+    const trace::Hit hit = trace::closest(snapshot.world, ray, position..., filter);
     store_hit(hit.t, hit.u, hit.v, HitNames(snapshot).of(hit.triangle), hit.back_face, place);
 }
 
-inline bool occluded(const scene::Snapshot& snapshot, const math::Ray& ray,
-                     const trace::Filter& filter) {
+template <class... Position>
+[[gnu::always_inline]] inline bool occluded(const scene::Snapshot& snapshot,
+                                            const trace::Filter& filter, const math::Ray& ray,
+                                            const Position&... position) {
     check_ray(0, ray);
-    return trace::occluded(snapshot.world, ray, filter);
+    return trace::occluded(snapshot.world, ray, position..., filter);
 }
 
 } // namespace peregrine::query

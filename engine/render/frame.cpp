@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 
 namespace peregrine::render {
 namespace {
@@ -23,25 +24,36 @@ trace::Filter primary_filter(const scene::Snapshot& snapshot) {
     return filter;
 }
 
+constexpr double kFar = 1024; // metres
+
+// What surfaces and lights are relative to while they are shaded: the world's origin, or the eye if
+// it sees meshes that keep their precision far away from there.
+math::Vec3d shading_origin(const scene::Snapshot& snapshot, const math::Vec3d& eye) {
+    const bool is_far = std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}) > kFar;
+    return is_far && !snapshot.placements.empty() ? eye : math::Vec3d(0);
+}
+
 } // namespace
 
 void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
                   base::Scheduler& scheduler, base::Memory* memory, FrameStats* stats) {
     const auto begin = std::chrono::steady_clock::now();
     base::Vector<shade::PreparedLight> lights(memory);
+    const math::Vec3d origin = shading_origin(snapshot, camera.position);
     if (frame.pixels) {
         lights.reserve(snapshot.lights.size());
         for (const scene::Light& light : snapshot.lights)
-            lights.push_back(shade::prepare(light, snapshot.world.bounds));
+            lights.push_back(shade::prepare(light, snapshot.world.bounds, origin));
     }
 
-    const FrameContext context = {
-        snapshot,
-        frame,
-        Pinhole(camera, frame.width, frame.height),
-        primary_filter(snapshot),
-        shade::Shader::prepare(snapshot, features_seen(snapshot, frame), frame.shadows, lights),
-        Output::choose(frame)};
+    const FrameContext context = {snapshot,
+                                  frame,
+                                  Pinhole(camera, frame.width, frame.height),
+                                  camera.position,
+                                  primary_filter(snapshot),
+                                  shade::Shader::prepare(snapshot, features_seen(snapshot, frame),
+                                                         frame.shadows, lights, origin),
+                                  Output::choose(frame)};
     const uint32_t tile_count = Tile::tile_count(frame.width, frame.height);
     const uint32_t worker_count = std::min(scheduler.concurrency(), tile_count);
     base::Vector<Worker> workers(worker_count, memory);

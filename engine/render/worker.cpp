@@ -82,7 +82,9 @@ void Worker::trace(const FrameContext& context) {
                                    tile_.count,
                                    trace::Coherence::common_origin};
     const bool count_steps = context.frame.view == View::steps;
-    trace::closest(context.snapshot.world, rays, context.filter,
+    // All begin at the eye, and these are zeros.
+    const trace::Positions positions = {{t_min_, t_min_, t_min_}, context.eye};
+    trace::closest(context.snapshot.world, rays, positions, context.filter,
                    {t_, u_, v_, triangle_, back_face_, count_steps ? steps_ : nullptr});
 }
 

@@ -12,6 +12,7 @@ struct FrameContext {
     const scene::Snapshot& snapshot;
     const Frame& frame;
     Pinhole pinhole;
+    math::Vec3d eye;      // where its rays begin
     trace::Filter filter; // of primary rays
     shade::Shader shader;
     Output output;

@@ -111,9 +111,10 @@ void Commit::place_instances() {
         }
         const bool is_rigid = mesh.kind == MeshKind::rigid;
         const Placement* const placement = snapshot_.placement_of(snapshot_.meshes[i]);
-        snapshot_.instances.push_back(
-            {mesh.placement.to_local, part_of(*shape, first), i, mesh.layer_mask, alpha,
-             is_rigid ? &placement->to_world : nullptr, is_rigid && placement->mirrored});
+        snapshot_.instances.push_back({mesh.placement.to_local, mesh.placement.to_world.offset,
+                                       part_of(*shape, first), i, mesh.layer_mask, alpha,
+                                       is_rigid ? &placement->to_world : nullptr,
+                                       is_rigid && placement->mirrored});
         rigid_count_ += is_rigid;
         first += shape->infos.size();
         scene_.extents_.push_back(mesh.extent);
@@ -128,6 +129,17 @@ void Commit::place_instances() {
     world.instances = snapshot_.instances.data();
     world.instance_count = uint32_t(snapshot_.instances.size());
     world.nodes = snapshot_.instances.empty() ? nullptr : snapshot_.instance_nodes.data();
+    if (accel::instances::are_far(scene_.extents_, world.moving_bounds)) place_far_instances();
+}
+
+void Commit::place_far_instances() {
+    base::Vector<accel::instances::ExactExtent> extents(&scene_.recycled);
+    extents.reserve(snapshot_.instances.size());
+    for (const trace::Instance& instance : snapshot_.instances)
+        extents.push_back(trace::exact_extent_of(instance));
+    accel::instances::find_rests(snapshot_.instance_nodes, extents, &scene_.recycled,
+                                 snapshot_.instance_rests);
+    snapshot_.world.rests = snapshot_.instance_rests.data();
 }
 
 void Commit::find_bounds() {

@@ -39,6 +39,7 @@ private:
     void keep(const Work& work, GeometryPointer geometry);
     void build_small_ones(Works& works);
     void place_instances();
+    void place_far_instances();
     void find_bounds();
     void count(const MeshDescription& mesh, CommitReport& report) const;
     void count(const Geometry& shape, MeshKind kind, CommitReport& report) const;

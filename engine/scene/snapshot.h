@@ -39,7 +39,8 @@ struct Snapshot {
 
     explicit Snapshot(base::Memory* memory)
         : meshes(memory), layer_masks(memory), generations(memory), lights(memory),
-          placements(memory), instances(memory), instance_nodes(memory), instance_alphas(memory) {}
+          placements(memory), instances(memory), instance_nodes(memory), instance_rests(memory),
+          instance_alphas(memory) {}
 
     const Material& material_of(const Mesh& mesh, uint32_t primitive) const {
         return material_set->materials[mesh.materials->of(primitive)];
@@ -60,6 +61,7 @@ struct Snapshot {
     base::Vector<Placement> placements;
     base::Vector<trace::Instance> instances; // of meshes that move and are not hidden
     base::Vector<accel::instances::Node> instance_nodes;
+    base::Vector<accel::instances::NodeRest> instance_rests; // beside them, if any is far away
     base::Vector<InstanceAlpha> instance_alphas; // beside `instances`; empty if nothing is masked
     Environment environment;
     uint32_t features = 0; // Feature bits that the scene has

@@ -4,6 +4,7 @@
 #include "scene/snapshot.h"
 #include "shade/prepared_light.h"
 #include "shade/surface.h"
+#include "shade/triangle_shading.h"
 
 #include <array>
 #include <cstdint>
@@ -40,7 +41,7 @@ using WeighLights = std::array<std::array<WeighLight, 2>, scene::kFalloffCount>;
 struct Kernels {
     // What lies at the hits. `features`: what to look at (scene::Feature bits).
     void (*find_surfaces)(const scene::Snapshot& snapshot, uint32_t features,
-                          float intersection_error, const RayHits& hits, Surface& out);
+                          const SurfaceSpace& space, const RayHits& hits, Surface& out);
 
     std::array<WeighLights, 3> weigh_light; // by type of light
 

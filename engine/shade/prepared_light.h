@@ -69,8 +69,9 @@ inline float inverse_nearest(const math::Vec3& intensity) {
 }
 
 // Shadow rays run from the light if it is within the bounds of the scene: the lift of surfaces
-// covers the errors of rays from there (see intersection_error).
-inline PreparedLight prepare(const scene::Light& light, const math::Box& bounds) {
+// covers the errors of rays from there (see SurfaceSpace). Positions are relative to `origin`.
+inline PreparedLight prepare(const scene::Light& light, const math::Box& bounds,
+                             const math::Vec3d& origin) {
     const bool finite = light.type != scene::LightType::directional;
     const math::Vec3 color = glm::min(light.intensity * falloff_gain(light),
                                       math::Vec3(std::numeric_limits<float>::max()));
@@ -81,7 +82,7 @@ inline PreparedLight prepare(const scene::Light& light, const math::Box& bounds)
             cheapest_falloff(light),
             light.casts_shadow,
             inside,
-            position,
+            math::Vec3(light.position - origin),
             light.direction,
             color,
             end_of(light),

@@ -1,7 +1,6 @@
 #include "shade/shader.h"
 
 #include "scene/alpha_test.h"
-#include "shade/triangle_shading.h"
 #include "trace/world/stream.h"
 
 #include <algorithm>
@@ -18,20 +17,19 @@ void Scratch::initialize() {
 }
 
 Shader Shader::prepare(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
-                       std::span<const PreparedLight> lights) {
-    Shader shader{};
-    shader.snapshot = &snapshot;
-    shader.kernels = &shade::kernels(snapshot.isa());
-    shader.lights = lights;
-    shader.shadow_filter.alpha = scene::alpha_test(snapshot);
-    shader.intersection_error = shade::intersection_error(snapshot.world.bounds);
-    shader.features = features;
-    shader.shadows = shadows;
-    return shader;
+                       std::span<const PreparedLight> lights, const math::Vec3d& origin) {
+    float light_reach = 0;
+    for (const PreparedLight& light : lights)
+        if (light.from_light) light_reach = std::max(light_reach, light.radius);
+    trace::Filter shadow_filter;
+    shadow_filter.alpha = scene::alpha_test(snapshot);
+    return {&snapshot,     &shade::kernels(snapshot.isa()),       lights,
+            shadow_filter, {snapshot.world, origin, light_reach}, features,
+            shadows};
 }
 
 void Shader::find_surfaces(const RayHits& hits, Scratch& scratch) const {
-    kernels->find_surfaces(*snapshot, features, intersection_error, hits, scratch.surface);
+    kernels->find_surfaces(*snapshot, features, space, hits, scratch.surface);
 }
 
 void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const {
@@ -61,6 +59,19 @@ void Shader::illuminate(const PreparedLight& light, uint32_t count, Scratch& scr
     kernels->add_light[specular](scratch.weights, count, light.color, scratch.light);
 }
 
+// Fixed and deforming meshes see rays relative to the world's origin, rounded to float.
+trace::RayStream Shader::in_world(trace::RayStream rays, Scratch& scratch) const {
+    if (!space.is_elsewhere) return rays;
+    const uint32_t padded = (rays.count + 15) / 16 * 16;
+    for (int k = 0; k < 3; ++k) {
+        float* const moved = scratch.moved_origin[k];
+        for (uint32_t i = 0; i < padded; ++i)
+            moved[i] = float(double(rays.origin[k][i]) + space.origin[k]);
+        rays.origin[k] = moved;
+    }
+    return rays;
+}
+
 // Takes the light away where something is in between; returns whether any is left.
 bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count, Scratch& scratch) const {
     scratch.shadow_ray_count += ray_count;
@@ -79,7 +90,10 @@ bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count, Scrat
         rays.t_max = scratch.ones;
         rays.coherence = trace::Coherence::common_origin;
     }
-    trace::occluded(snapshot->world, rays, shadow_filter, scratch.occluded);
+    const trace::Positions positions = {{rays.origin[0], rays.origin[1], rays.origin[2]},
+                                        space.origin};
+    trace::occluded(snapshot->world, in_world(rays, scratch), positions, shadow_filter,
+                    scratch.occluded);
     uint32_t hidden = 0;
     for (uint32_t k = 0; k < ray_count; ++k) {
         // Without a branch: shadow edges are unpredictable.

@@ -3,6 +3,8 @@
 #include "scene/snapshot.h"
 #include "shade/kernels.h"
 #include "shade/prepared_light.h"
+#include "shade/triangle_shading.h"
+#include "trace/kernels.h"
 
 #include <cstdint>
 #include <span>
@@ -16,6 +18,7 @@ struct alignas(64) Scratch {
     LightWeights weights;
     Surface::Lanes shadow_origin[3];
     Surface::Lanes shadow_direction[3];
+    Surface::Lanes moved_origin[3]; // relative to the world's origin, if the others are not
     // Where shadow rays begin and end, 0 and 1 being the surface and the light or the reverse.
     Surface::Lanes zeros;
     Surface::Lanes just_above_zero;
@@ -35,13 +38,13 @@ struct Shader {
     const Kernels* kernels;
     std::span<const PreparedLight> lights;
     trace::Filter shadow_filter;
-    float intersection_error;
+    SurfaceSpace space;
     uint32_t features; // to look at; may be fewer than the snapshot has
     bool shadows;
 
-    // `lights` must outlive the result.
+    // `lights` must outlive the result; they and surfaces are relative to `origin`.
     static Shader prepare(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
-                          std::span<const PreparedLight> lights);
+                          std::span<const PreparedLight> lights, const math::Vec3d& origin);
 
     // Fills scratch.surface.
     void find_surfaces(const RayHits& hits, Scratch& scratch) const;
@@ -52,6 +55,7 @@ struct Shader {
 private:
     void illuminate(const PreparedLight& light, uint32_t count, Scratch& scratch) const;
     bool hide_occluded(const PreparedLight& light, uint32_t ray_count, Scratch& scratch) const;
+    trace::RayStream in_world(trace::RayStream rays, Scratch& scratch) const;
 };
 
 } // namespace peregrine::shade

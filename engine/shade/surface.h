@@ -14,7 +14,7 @@ inline constexpr uint32_t kPadded = kBatch + 16; // vectors may write this far
 struct alignas(64) Surface {
     using Lanes = float[kPadded];
 
-    Lanes position[3];  // lifted off the surface: shadow rays begin here
+    Lanes position[3];  // in a SurfaceSpace, lifted off the surface: shadow rays begin here
     Lanes geometric[3]; // unit normal of the triangle, toward the viewer
     Lanes normal[3];    // unit shading normal
     Lanes bend;         // 1 / (geometric . normal)

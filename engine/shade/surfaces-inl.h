@@ -158,7 +158,7 @@ HWY_INLINE void finish(uint32_t features, const RayHits& hits, Surface& out) {
 }
 
 HWY_ATTR void find_surfaces(const scene::Snapshot& snapshot, uint32_t features,
-                            float intersection_error, const RayHits& hits, Surface& out) {
+                            const SurfaceSpace& space, const RayHits& hits, Surface& out) {
     TriangleShading triangle;
     for (uint32_t begin = 0; begin < hits.count;) {
         const Run run = next_run(hits, begin);
@@ -168,8 +168,7 @@ HWY_ATTR void find_surfaces(const scene::Snapshot& snapshot, uint32_t features,
             continue;
         }
         const bool back_face = hits.back_face[run.begin] != 0;
-        gather(snapshot, features, hits.triangle[run.begin], back_face, intersection_error,
-               triangle);
+        gather(snapshot, features, hits.triangle[run.begin], back_face, space, triangle);
         find_geometry(triangle, hits, run, out);
         if (triangle.normal_map.texture) map_normals(triangle, hits, run, back_face, out);
         find_colors(triangle, features, hits, run, out);

@@ -21,14 +21,43 @@ Vec3 unit_normal(const Vec3* v) {
     return length > 0 ? Vec3(n / length) : Vec3(0, 0, 1);
 }
 
+inline Vec3 largest_of(const Vec3* v) {
+    return glm::max(glm::max(glm::abs(v[0]), glm::abs(v[1])), glm::abs(v[2]));
+}
+
 // Moves a point that was computed from barycentrics clear of its triangle's plane, so that rays
 // from it to the geometric normal's side cannot hit that plane again. Pharr, Jakob, Humphreys, PBR
 // 3rd edition, 3.9: (1 - u - v) v0 + u v1 + v v2 is off by at most gamma(7) max |v_i| an axis; two
 // more roundings come from adding the lift itself.
-Vec3 surface_lift(const Vec3* v, const Vec3& normal, float intersection_error) {
+Vec3 surface_lift(const Vec3& largest, const Vec3& normal, float intersection_error) {
     constexpr float kGamma9 = 9.0f * 0x1p-24f * 1.001f;
-    const Vec3 largest = glm::max(glm::max(glm::abs(v[0]), glm::abs(v[1])), glm::abs(v[2]));
     return normal * (kGamma9 * glm::dot(glm::abs(normal), largest) + intersection_error);
+}
+
+float size_of(const math::Box& bounds) {
+    if (bounds.empty()) return 0;
+    const Vec3 size = bounds.upper - bounds.lower;
+    return std::max({size.x, size.y, size.z});
+}
+
+// How far the intersector may be off for rays that start at most `reach` from the vertices of the
+// triangle and of its neighbours in the same plane, measured across it. geometry/intersect.h: a hit
+// is closer than 8.1 e D to its triangle in the maximum norm, which is 14.1 e D across it. A ray
+// that all but grazes the plane sinks by less than 4 e D below its rounded normal's horizon before
+// it leaves the mesh. 20 covers both.
+float intersection_error(float reach) {
+    return 20.0f * 0x1p-24f * reach;
+}
+
+// Of a mesh that moves, in the world. Within a space of its own, what a ray's rounded origin is off
+// grows with the mesh's coordinates, which twice the largest covers, too.
+float reach_of(const SurfaceSpace& space, const math::Box& bounds,
+               const scene::Placement* placement) {
+    if (!placement) return std::min(space.world_size, size_of(bounds) + space.light_reach);
+    const Vec3 most = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
+    const auto own = float(placement->to_world.norm()) * 2 * std::max({most.x, most.y, most.z});
+    const auto condition = float(placement->condition);
+    return std::min(condition * space.world_size, own + condition * space.light_reach);
 }
 
 TextureOnTriangle place(const scene::TextureUse& use, const scene::MeshData& mesh,
@@ -42,10 +71,12 @@ TextureOnTriangle place(const scene::TextureUse& use, const scene::MeshData& mes
     return placed;
 }
 
-// From the mesh's own space into the world. Normals go by the inverse transpose, which keeps them
-// on their side even if it mirrors.
-void place(const scene::Placement& placement, TriangleShading& out) {
-    for (Vec3& vertex : out.vertex) vertex = Vec3(placement.to_world.point(math::Vec3d(vertex)));
+// From the mesh's own space into the world, relative to a point. Normals go by the inverse
+// transpose, which keeps them on their side even if it mirrors.
+void place(const scene::Placement& placement, const math::Vec3d& origin, TriangleShading& out) {
+    const math::Vec3d offset = placement.to_world.offset - origin;
+    for (Vec3& vertex : out.vertex)
+        vertex = Vec3(placement.to_world.vector(math::Vec3d(vertex)) + offset);
     if (!out.smooth) return;
     for (Vec3& normal : out.normal) {
         const math::Vec3d turned = placement.to_local.transposed(math::Vec3d(normal));
@@ -79,17 +110,14 @@ void gather_tangents(const scene::MeshData& mesh, const std::array<uint32_t, 3>&
 
 } // namespace
 
-float intersection_error(const math::Box& bounds) {
-    if (bounds.empty()) return 0;
-    // geometry/intersect.h: a hit is closer than 8.1 e D to its triangle in the maximum norm,
-    // which is 14.1 e D across it. A ray that all but grazes the plane sinks by less than 4 e D
-    // below its rounded normal's horizon before it leaves the bounds. 20 covers both.
-    const Vec3 size = bounds.upper - bounds.lower;
-    return 20.0f * 0x1p-24f * std::max({size.x, size.y, size.z});
-}
+SurfaceSpace::SurfaceSpace(const trace::World& world, const math::Vec3d& origin_,
+                           float light_reach_)
+    : origin(origin_), is_elsewhere(origin_ != math::Vec3d(0)), light_reach(light_reach_),
+      world_size(size_of(world.bounds)),
+      fixed_reach(std::min(world_size, size_of(world.fixed.target.bounds) + light_reach)) {}
 
 void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangle_index,
-            bool back_face, float intersection_error, TriangleShading& out) {
+            bool back_face, const SurfaceSpace& space, TriangleShading& out) {
     const geometry::TriangleInfo triangle = trace::info(snapshot.world, triangle_index);
     const scene::Snapshot::Mesh& slot = snapshot.meshes[triangle.mesh];
     const scene::MeshData& mesh = *slot.data;
@@ -101,14 +129,22 @@ void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangl
     if (out.smooth)
         for (uint32_t k = 0; k < 3; ++k) out.normal[k] = mesh.normals[vertices[k]];
     const scene::Placement* const placement = snapshot.placement_of(slot);
+    const float reach =
+        slot.shape ? reach_of(space, slot.shape->bounds(), placement) : space.fixed_reach;
+    Vec3 in_world;
+    const bool is_moved = space.is_elsewhere && !placement;
     if (placement) {
-        place(*placement, out);
-        intersection_error *= float(placement->condition);
+        place(*placement, space.origin, out);
+    } else if (is_moved) [[unlikely]] {
+        in_world = largest_of(out.vertex);
+        for (Vec3& vertex : out.vertex) vertex = Vec3(math::Vec3d(vertex) - space.origin);
     }
     Vec3 front = unit_normal(out.vertex);
     if (placement && placement->mirrored) front = -front;
     out.geometric = back_face ? -front : front;
-    out.lift = surface_lift(out.vertex, out.geometric, intersection_error);
+    Vec3 largest = largest_of(out.vertex);
+    if (is_moved) largest += 0.25f * (largest + in_world); // for two more roundings, of either
+    out.lift = surface_lift(largest, out.geometric, intersection_error(reach));
     if ((features & scene::kSpecular) && out.shininess != material.shininess) {
         out.shininess = material.shininess;
         out.highlight_gain = highlight_gain(material.shininess);

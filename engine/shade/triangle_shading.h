@@ -29,12 +29,20 @@ struct TriangleShading {
     TextureOnTriangle emissive;
 };
 
+// What positions of surfaces are relative to, and what the errors of shadow rays grow with. These
+// start at a surface, or at a light within the world's bounds that reaches it.
+struct SurfaceSpace {
+    math::Vec3d origin{0};     // relative to the world's, and ...
+    bool is_elsewhere = false; // ... whether it is another
+    float light_reach = 0;     // the largest radius of a light that shadow rays start at
+    float world_size = 0;
+    float fixed_reach = 0; // how far from a fixed triangle its shadow rays may start
+
+    SurfaceSpace(const trace::World& world, const math::Vec3d& origin, float light_reach);
+};
+
 // Gathers what `features` (scene::Feature bits) ask for; the rest is left unset.
 void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangle, bool back_face,
-            float intersection_error, TriangleShading& out);
-
-// How far the intersector may be off for rays that start within the bounds, measured across a
-// triangle: what surface_lift() adds to the error of the position.
-float intersection_error(const math::Box& bounds);
+            const SurfaceSpace& space, TriangleShading& out);
 
 } // namespace peregrine::shade

@@ -1,6 +1,8 @@
 // Promise 1 of docs/design.md in a world that moves: rays through fixed, deforming and rigid meshes
 // give the bits of brute force, which tests every triangle of every mesh, rigid ones in their own
-// space.
+// space, also where rays are relative to an origin.
+#include "geometry/area.h"
+#include "query/records.h"
 #include "support/brute_force.h"
 #include "support/world.h"
 #include "trace/world/world.h"
@@ -29,11 +31,16 @@ struct Part {
     bool hidden = false;
     uint32_t layer_mask = ~0u;
     math::Affine to_local;
+    math::Vec3d origin{0}; // where its own one is
 };
 
 // As the header defines the answer.
 rt_hit ask_brute_force(const std::vector<Part>& parts, const std::vector<BruteForce>& oracles,
-                       const Ray& ray, uint32_t layer_mask, uint32_t ignored) {
+                       const Ray& record, const math::Vec3d& base, uint32_t layer_mask,
+                       uint32_t ignored) {
+    const query::Shift shift{base};
+    const trace::Position position{record.origin, base};
+    const Ray ray = shift.applied(record);
     rt_hit best{};
     best.t = std::numeric_limits<float>::infinity();
     best.triangle = RT_NO_TRIANGLE;
@@ -43,7 +50,8 @@ rt_hit ask_brute_force(const std::vector<Part>& parts, const std::vector<BruteFo
             || part.mesh.index == ignored)
             continue;
         Ray local = ray;
-        if (part.rigid && !trace::to_local(part.to_local, ray, local)) continue;
+        if (part.rigid && !trace::to_local(part.to_local, position.from(part.origin), ray, local))
+            continue;
         trace::Hit hit;
         oracles[i].closest({&local, 1}, {}, &hit);
         if (hit.triangle == geometry::kNoTriangle) continue;
@@ -116,7 +124,7 @@ protected:
         do {
             for (int row = 0; row < 3; ++row) {
                 for (int k = 0; k < 3; ++k) to_world.column[k][row] = scale * unit(random_);
-                to_world.offset[row] = spread * unit(random_);
+                to_world.offset[row] = base_[row] + spread * unit(random_);
             }
         } while (std::abs(math::determinant(to_world)) < 0.1 * scale * scale * scale);
         for (int row = 0; row < 3; ++row) {
@@ -125,6 +133,7 @@ protected:
         }
         ASSERT_OK(rt_set_mesh_transform(scene_, part.mesh, &transform));
         part.to_local = math::inverse(to_world);
+        part.origin = to_world.offset;
     }
 
     void deform(Part& part) {
@@ -135,14 +144,17 @@ protected:
         ASSERT_OK(rt_update_dynamic_mesh(scene_, part.mesh, &update));
     }
 
-    // Every triangle where it stands, for rays that aim at it.
+    // Every triangle where it stands, relative to the rays' origin, for rays that aim at it.
     std::vector<geometry::Triangle> all_triangles() const {
         std::vector<geometry::Triangle> all;
         for (const Part& part : parts_) {
-            const math::Affine to_world = math::inverse(part.to_local);
+            math::Affine to_world = math::inverse(part.to_local);
+            to_world.offset = part.origin;
             for (geometry::Triangle triangle : part.triangles) {
-                for (Vec3* v : {&triangle.v0, &triangle.v1, &triangle.v2})
-                    if (part.rigid) *v = Vec3(to_world.point(math::Vec3d(*v)));
+                for (Vec3* v : {&triangle.v0, &triangle.v1, &triangle.v2}) {
+                    const math::Vec3d own(*v);
+                    *v = Vec3((part.rigid ? to_world.point(own) : own) - base_);
+                }
                 all.push_back(triangle);
             }
         }
@@ -156,11 +168,14 @@ protected:
             std::erase_if(set.rays, [](const Ray& ray) { return ray.direction == Vec3(0); });
             std::vector<rt_hit> expected;
             for (const Ray& ray : set.rays)
-                expected.push_back(ask_brute_force(parts_, oracles, ray, layer_mask,
+                expected.push_back(ask_brute_force(parts_, oracles, ray, base_, layer_mask,
                                                    ignored.generation ? ignored.index : ~0u));
             rt_query_desc desc = rt_default_query_desc();
             desc.layer_mask = layer_mask;
             desc.ignore_mesh = ignored;
+            rt_query_options options = rt_default_query_options();
+            for (int k = 0; k < 3; ++k) options.origin[k] = base_[k];
+            if (base_ != math::Vec3d(0)) desc.options = &options;
             ask_singles(set, expected, desc);
             for (const rt_coherence hint : {RT_COHERENCE_AUTO, RT_COHERENCE_COHERENT,
                                             RT_COHERENCE_COMMON_ORIGIN, RT_COHERENCE_INCOHERENT}) {
@@ -179,6 +194,7 @@ protected:
     rt_scene scene_{};
     rt_memory memory_ = RT_MEMORY_FULL;
     std::vector<Part> parts_;
+    math::Vec3d base_{0}; // of rays, and what rigid meshes are placed around
     std::mt19937 random_{5};
 
 private:
@@ -296,6 +312,32 @@ TEST_P(MovingTest, FarAwayAndTiny) {
         for (Part& part : parts_) place(part, far);
         commit();
         compare(rays_per_set(200), 6);
+    }
+}
+
+// Rays that are relative to a point far away: rigid meshes get them in double, others in float.
+TEST_P(MovingTest, FarAwayRelativeToAnOrigin) {
+    for (const double far : {0.37, 1e3, 1e5 + 0.1, 1e7 + 1 / 3.0, 1e9, 1e12}) {
+        parts_.clear();
+        TearDown();
+        SetUp();
+        base_ = {far, -far, 0.7 * far};
+        const float size = std::max(1.0f, float(far) * 0x1p-22f);
+        for (const auto add_mesh : {rt_add_static_mesh, rt_add_dynamic_mesh}) {
+            auto triangles = soup(uint32_t(random_()), 40, 0.5f, size);
+            std::erase_if(triangles, [&](geometry::Triangle& triangle) {
+                for (Vec3* v : {&triangle.v0, &triangle.v1, &triangle.v2})
+                    *v = Vec3(math::Vec3d(*v) + base_);
+                return !geometry::has_area(triangle.v0, triangle.v1, triangle.v2);
+            });
+            for (uint32_t i = 0; i < triangles.size(); ++i) triangles[i].primitive = i;
+            add(std::move(triangles), add_mesh);
+        }
+        add(soup(uint32_t(random_()), 60, 0.4f), rt_add_rigid_mesh);
+        for (int i = 0; i < 10; ++i) add_instance(2);
+        for (size_t i = 2; i < parts_.size(); ++i) place(parts_[i], i < 9 ? 2 : 0.1 * far);
+        commit();
+        compare(rays_per_set(100), 7);
     }
 }
 

@@ -135,19 +135,22 @@ protected:
     const scene::Snapshot& snapshot() const { return *pin_->get(); }
 
     // Batches of several sizes must agree with the oracle, which takes what `takes` does of ray i.
+    // Rays are relative to `base`.
     template <class Takes>
-    void compare(const Request& request, Takes&& takes) {
+    void compare(const Request& request, Takes&& takes, const math::Vec3d& base = math::Vec3d(0)) {
         for (const size_t size : {rays_.size(), size_t(1), size_t(5), size_t(130)}) {
             const size_t first = size == rays_.size() ? 0 : size;
             const std::vector<Ray> rays(rays_.begin() + long(first),
                                         rays_.begin() + long(first + size));
             Answers answers(size);
-            answers.ask(snapshot(), rays_of(rays), request);
+            query::Rays asked = rays_of(rays);
+            asked.shift.by = base;
+            answers.ask(snapshot(), asked, request);
             size_t wrong = 0;
             for (size_t i = 0; i < size; ++i) {
                 const auto take = [&](const Hit& hit) { return takes(i, hit); };
-                wrong += !right(answers, i, world_->hits(rays[i], take),
-                                world_->crossings(rays[i], take));
+                wrong += !right(answers, i, world_->hits(rays[i], take, base),
+                                world_->crossings(rays[i], take, base));
             }
             EXPECT_EQ(wrong, 0u) << "of " << size;
         }

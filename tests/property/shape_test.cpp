@@ -6,6 +6,7 @@
 // Ten million over four real levels, through the BVH on every instruction set; other structures and
 // counted queries get the first kFew of each kind (F is 'Files/*:-*teapots:*dragon*:*hall'):
 //     PEREGRINE_RAYS=850000 build/release/bin/shape_test --gtest_filter=F
+#include "geometry/area.h"
 #include "query/shapes.h"
 #include "shape_world.h"
 #include "support/adversaries.h"
@@ -75,6 +76,7 @@ struct Asked {
     std::vector<query::Sweep> sweeps;
     std::vector<query::Shape> shapes;
     std::vector<query::Point> points;
+    math::Vec3d base{0}; // that they are relative to
 };
 
 Asked make_cases(const std::vector<geometry::Triangle>& triangles, size_t count, uint32_t seed) {
@@ -102,41 +104,42 @@ constexpr query::OverlapHit kUntouched = {{77, 77}, 77, 77};
 
 Expected ask_brute_force(const std::vector<ShapeMesh>& meshes, const Asked& asked,
                          const query::Selection& selection) {
+    const math::Vec3d& base = asked.base;
     Expected expected;
     for (const query::Sweep& sweep : asked.sweeps)
-        expected.sweeps.push_back(brute_sweep(meshes, sweep, selection));
+        expected.sweeps.push_back(brute_sweep(meshes, sweep, selection, base));
     for (const query::Shape& shape : asked.shapes) {
-        std::vector<query::OverlapHit> hits = brute_overlap(meshes, shape, selection);
+        std::vector<query::OverlapHit> hits = brute_overlap(meshes, shape, selection, base);
         expected.overlaps.push_back(!hits.empty());
         expected.counts.push_back(uint32_t(hits.size()));
         hits.resize(kMost, kUntouched);
         expected.lists.insert(expected.lists.end(), hits.begin(), hits.end());
     }
     for (const query::Point& point : asked.points)
-        expected.nearest.push_back(brute_nearest(meshes, point, selection));
+        expected.nearest.push_back(brute_nearest(meshes, point, selection, base));
     return expected;
 }
 
 void compare_request(const scene::Snapshot& snapshot, Asked& asked, const Expected& expected,
                      const query::Request& request, const std::string& what) {
     std::vector<query::SweepHit> hits(asked.sweeps.size());
-    query::sweep(snapshot, placed(asked.sweeps), request, strided(hits));
+    query::sweep(snapshot, placed(asked.sweeps, asked.base), request, strided(hits));
     expect_same(asked.sweeps, expected.sweeps, hits, "sweeps, " + what);
 
     std::vector<uint8_t> overlaps(asked.shapes.size(), 9);
-    query::overlap_any(snapshot, placed(asked.shapes), request, strided(overlaps));
+    query::overlap_any(snapshot, placed(asked.shapes, asked.base), request, strided(overlaps));
     expect_same(asked.shapes, expected.overlaps, overlaps, "overlaps, " + what);
 
     std::vector<query::OverlapHit> lists(asked.shapes.size() * kMost, kUntouched);
     std::vector<uint32_t> counts(asked.shapes.size());
-    query::overlap_all(snapshot, placed(asked.shapes), request,
+    query::overlap_all(snapshot, placed(asked.shapes, asked.base), request,
                        {reinterpret_cast<std::byte*>(lists.data()), sizeof(query::OverlapHit),
                         kMost, strided(counts)});
     expect_same(asked.shapes, expected.counts, counts, "counts, " + what);
     expect_same(lists, expected.lists, lists, "lists, " + what);
 
     std::vector<query::NearestPoint> nearest(asked.points.size());
-    query::nearest(snapshot, placed(asked.points), request, strided(nearest));
+    query::nearest(snapshot, placed(asked.points, asked.base), request, strided(nearest));
     expect_same(asked.points, expected.nearest, nearest, "nearest points, " + what);
 }
 
@@ -147,7 +150,7 @@ Asked few_of(const Asked& asked) {
         return std::decay_t<decltype(all)>(
             all.begin(), all.begin() + std::ptrdiff_t(std::min(all.size(), kFew)));
     };
-    return {few(asked.sweeps), few(asked.shapes), few(asked.points)};
+    return {few(asked.sweeps), few(asked.shapes), few(asked.points), asked.base};
 }
 
 // ... with counters too: those shapes go through the plain kernels.
@@ -183,20 +186,24 @@ void rename(Expected& expected, const ShapeWorld& world) {
         if (!same(hit, kUntouched)) rename_mesh(hit.mesh);
 }
 
-std::vector<geometry::Triangle> in_the_world(const std::vector<MeshToAdd>& meshes) {
+std::vector<geometry::Triangle> in_the_world(const std::vector<MeshToAdd>& meshes,
+                                             const math::Vec3d& base) {
     std::vector<geometry::Triangle> all;
     for (const MeshToAdd& mesh : meshes)
         for (geometry::Triangle triangle : mesh.triangles) {
             for (Vec3* v : {&triangle.v0, &triangle.v1, &triangle.v2})
-                *v = Vec3(mesh.to_world.point(math::Vec3d(*v)));
+                *v = Vec3(mesh.to_world.point(math::Vec3d(*v)) - base);
             all.push_back(triangle);
         }
     return all;
 }
 
 void compare_all(const std::vector<MeshToAdd>& meshes, size_t count,
-                 const std::vector<Choice>& choices = {{}}) {
-    Asked asked = make_cases(in_the_world(meshes), count, 21), few = few_of(asked);
+                 const std::vector<Choice>& choices = {{}},
+                 const math::Vec3d& base = math::Vec3d(0)) {
+    Asked asked = make_cases(in_the_world(meshes, base), count, 21);
+    asked.base = base;
+    Asked few = few_of(asked);
     std::vector<Expected> expected(choices.size());
     for (const Way& way : kWays) {
         if (!base::machine_has(way.isa)) continue;
@@ -351,6 +358,24 @@ TEST(ShapeWorlds, Choices) {
             choices.push_back({selection, skips ? 1 : 0});
         }
     compare_all(moving_world(50, 1), rays_per_set(60), choices);
+}
+
+// Records relative to a point far away: rigid meshes keep their precision, others what float has.
+TEST(ShapeWorlds, ThatMoveFarAway) {
+    for (const double far : {0.3, 1e4 + 0.1, 1e7 + 1 / 3.0, 1e9, 1e12}) {
+        const math::Vec3d base(far, -far, 0.3 * far);
+        const float size = std::max(1.0f, float(far) * 0x1p-22f);
+        std::vector<MeshToAdd> meshes = moving_world(3, 3);
+        for (MeshToAdd& mesh : meshes)
+            if (mesh.kind == MeshKind::rigid)
+                mesh.to_world.offset += base;
+            else
+                std::erase_if(mesh.triangles, [&](geometry::Triangle& t) {
+                    for (Vec3* v : {&t.v0, &t.v1, &t.v2}) *v = Vec3(math::Vec3d(size * *v) + base);
+                    return !geometry::has_area(t.v0, t.v1, t.v2);
+                });
+        compare_all(meshes, rays_per_set(60), {{}}, base);
+    }
 }
 
 // More than the buffer of a pass holds.

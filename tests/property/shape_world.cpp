@@ -57,18 +57,15 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // is -1 where the mesh is mirrored.
 template <class Visit>
 void for_each_triangle(const std::vector<ShapeMesh>& meshes, const query::Selection& selection,
-                       const Swath& swath, Visit&& visit) {
+                       const Swath& swath, const trace::Position& position, Visit&& visit) {
     std::vector<uint32_t> near;
     for (const ShapeMesh& mesh : meshes) {
         if ((mesh.layer_mask & selection.layer_mask) == 0 || mesh.handle == selection.ignore_mesh)
             continue;
         const auto visit_one = [&](const geometry::Triangle& t) {
-            visit(mesh, t,
-                  geometry::Corners(mesh.in_the_world(t.v0), mesh.in_the_world(t.v1),
-                                    mesh.in_the_world(t.v2), swath.center),
-                  mesh.mirrored() ? -1.0 : 1.0);
+            visit(mesh, t, mesh.around(t, position), mesh.mirrored() ? -1.0 : 1.0);
         };
-        if (mesh.boxes.empty()) {
+        if (mesh.boxes.empty() || position.base != Vec3d(0)) {
             for (const geometry::Triangle& t : mesh.triangles) visit_one(t);
             continue;
         }
@@ -96,12 +93,13 @@ bool sees_centre(const query::Selection& selection, const geometry::Corners& cor
 } // namespace
 
 query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::Sweep& sweep,
-                            const query::Selection& selection) {
+                            const query::Selection& selection, const Vec3d& base) {
     query::SweepHit best{kInfinity, Vec3(0), Vec3(0), 0, geometry::kNoTriangle, {}, 0};
     const geometry::Sweep test(sweep.center, sweep.axis, sweep.direction, sweep.radius);
     for_each_triangle(meshes, selection,
                       {Vec3d(sweep.center), double(sweep.radius) + length(sweep.axis),
                        Vec3d(sweep.direction), sweep.t_max},
+                      {sweep.center, base},
                       [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
                           const geometry::Corners& corners, double side) {
                           geometry::Contact contact;
@@ -131,7 +129,7 @@ query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::S
 
 std::vector<query::OverlapHit> brute_overlap(const std::vector<ShapeMesh>& meshes,
                                              const query::Shape& shape,
-                                             const query::Selection& selection) {
+                                             const query::Selection& selection, const Vec3d& base) {
     const bool is_capsule = shape.kind == query::Shape::capsule && shape.extent != Vec3(0);
     const double rr = double(shape.radius) * double(shape.radius);
     const double radius = shape.kind == query::Shape::sphere ? shape.radius
@@ -141,7 +139,7 @@ std::vector<query::OverlapHit> brute_overlap(const std::vector<ShapeMesh>& meshe
     const geometry::Cuboid box = query::cuboid_of(shape);
     std::vector<query::OverlapHit> hits;
     for_each_triangle(
-        meshes, selection, {Vec3d(shape.center), radius, Vec3d(0), 0},
+        meshes, selection, {Vec3d(shape.center), radius, Vec3d(0), 0}, {shape.center, base},
         [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
             const geometry::Corners& corners, double side) {
             const geometry::Face face = geometry::face_of(corners);
@@ -157,9 +155,10 @@ std::vector<query::OverlapHit> brute_overlap(const std::vector<ShapeMesh>& meshe
 }
 
 query::NearestPoint brute_nearest(const std::vector<ShapeMesh>& meshes, const query::Point& point,
-                                  const query::Selection& selection) {
+                                  const query::Selection& selection, const Vec3d& base) {
     query::NearestPoint best{kInfinity, Vec3(0), Vec3(0), 0, 0, geometry::kNoTriangle, {}};
     for_each_triangle(meshes, selection, {Vec3d(point.position), point.radius, Vec3d(0), 0},
+                      {point.position, base},
                       [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
                           const geometry::Corners& corners, double side) {
                           const geometry::Face face = geometry::face_of(corners);

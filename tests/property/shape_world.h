@@ -19,8 +19,9 @@ query::Strided<Record> strided(std::vector<Record>& records) {
     return {reinterpret_cast<std::byte*>(records.data()), records.size(), sizeof(Record)};
 }
 template <class Record>
-query::Placed<Record> placed(std::vector<Record>& records) {
-    return {strided(records)};
+query::Placed<Record> placed(std::vector<Record>& records,
+                             const math::Vec3d& base = math::Vec3d(0)) {
+    return {strided(records), {base}};
 }
 
 struct ShapeMesh {
@@ -33,6 +34,17 @@ struct ShapeMesh {
 
     math::Vec3d in_the_world(const math::Vec3& v) const {
         return kind == scene::MeshKind::rigid ? to_world.point(math::Vec3d(v)) : math::Vec3d(v);
+    }
+    // The triangle as a shape sees it from its centre.
+    geometry::Corners around(const geometry::Triangle& t, const trace::Position& position) const {
+        if (kind != scene::MeshKind::rigid)
+            return {math::Vec3d(t.v0), math::Vec3d(t.v1), math::Vec3d(t.v2),
+                    math::Vec3d(query::Shift{position.base}.applied(position.record))};
+        const math::Vec3d offset = -position.from(to_world.offset);
+        const auto seen = [&](const math::Vec3& v) {
+            return to_world.vector(math::Vec3d(v)) + offset;
+        };
+        return {seen(t.v0), seen(t.v1), seen(t.v2), math::Vec3d(0)};
     }
     bool mirrored() const { return math::determinant(to_world) < 0; }
 };
@@ -56,14 +68,16 @@ private:
     std::vector<ShapeMesh> meshes_;
 };
 
-// Through every triangle that counts and has its box near, in order.
+// Through every triangle that counts and has its box near, in order. Records are relative to
+// `base`; where that is not 0, through all of them.
 query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::Sweep& sweep,
-                            const query::Selection& selection);
+                            const query::Selection& selection, const math::Vec3d& base);
 std::vector<query::OverlapHit> brute_overlap(const std::vector<ShapeMesh>& meshes,
                                              const query::Shape& shape,
-                                             const query::Selection& selection);
+                                             const query::Selection& selection,
+                                             const math::Vec3d& base);
 query::NearestPoint brute_nearest(const std::vector<ShapeMesh>& meshes, const query::Point& point,
-                                  const query::Selection& selection);
+                                  const query::Selection& selection, const math::Vec3d& base);
 
 // Shapes as games and adversaries ask for them, the same for the same seed.
 class ShapeCases {

@@ -89,20 +89,25 @@ std::vector<geometry::Triangle> QueryWorld::triangles() const {
     return all;
 }
 
-std::vector<query::Hit> QueryWorld::crossings(const Ray& ray, const Takes& takes) const {
-    return collect(ray, takes, true);
+std::vector<query::Hit> QueryWorld::crossings(const Ray& ray, const Takes& takes,
+                                              const math::Vec3d& base) const {
+    return collect(ray, base, takes, true);
 }
 
-std::vector<query::Hit> QueryWorld::hits(const Ray& ray, const Takes& takes) const {
-    return collect(ray, takes, false);
+std::vector<query::Hit> QueryWorld::hits(const Ray& ray, const Takes& takes,
+                                         const math::Vec3d& base) const {
+    return collect(ray, base, takes, false);
 }
 
-std::vector<query::Hit> QueryWorld::collect(const Ray& ray, const Takes& takes,
-                                            bool crossings) const {
+std::vector<query::Hit> QueryWorld::collect(const Ray& record, const math::Vec3d& base,
+                                            const Takes& takes, bool crossings) const {
     std::vector<query::Hit> found;
+    const trace::Position position{record.origin, base};
+    const Ray ray = query::Shift{base}.applied(record);
     for (const Part& part : parts) {
         Ray local = ray;
-        if (part.kind == scene::MeshKind::rigid && !trace::to_local(part.to_local, ray, local))
+        if (part.kind == scene::MeshKind::rigid
+            && !trace::to_local(part.to_local, position.from(part.to_world.offset), ray, local))
             continue;
         const geometry::ShearedRay sheared = geometry::shear(local);
         for (const auto& [v0, mesh, v1, primitive, v2, flags] : part.triangles) {

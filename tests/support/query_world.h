@@ -44,15 +44,18 @@ public:
     // The triangles as they stand in the world, for rays to aim at.
     std::vector<geometry::Triangle> triangles() const;
 
-    // What the ray crosses, or hits, in the order of answers.
-    std::vector<query::Hit> crossings(const math::Ray& ray, const Takes& takes) const;
-    std::vector<query::Hit> hits(const math::Ray& ray, const Takes& takes) const;
+    // What the ray crosses, or hits, in the order of answers; its origin is relative to `base`.
+    std::vector<query::Hit> crossings(const math::Ray& ray, const Takes& takes,
+                                      const math::Vec3d& base = math::Vec3d(0)) const;
+    std::vector<query::Hit> hits(const math::Ray& ray, const Takes& takes,
+                                 const math::Vec3d& base = math::Vec3d(0)) const;
 
     scene::Scene scene;
     std::vector<Part> parts;
 
 private:
-    std::vector<query::Hit> collect(const math::Ray& ray, const Takes& takes, bool crossings) const;
+    std::vector<query::Hit> collect(const math::Ray& record, const math::Vec3d& base,
+                                    const Takes& takes, bool crossings) const;
 };
 
 // Turned, stretched and sheared at random; every other one mirrors.

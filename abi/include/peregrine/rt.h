@@ -382,8 +382,9 @@ RT_EXPORT rt_result rt_add_mesh_instance(rt_scene scene, rt_mesh mesh,
 /* Where a mesh stands: p' = (m[0] x + m[1] y + m[2] z + m[3],
  *                            m[4] x + m[5] y + m[6] z + m[7],
  *                            m[8] x + m[9] y + m[10] z + m[11]), any invertible affine map.
- * Rays are taken to the mesh's own space and rounded to float there, so a mesh keeps its precision
- * wherever it stands. Front faces stay front faces under a mirroring map. */
+ * Rays and shapes are taken before the mesh in double (record, rt_query_options.origin, camera), and
+ * rounded to float in its own space, so a mesh keeps its precision wherever it stands, as long as
+ * they are told relative to a point near it. Front faces stay front faces under a mirroring map. */
 typedef struct rt_transform {
     double m[12];
 } rt_transform;
@@ -743,7 +744,8 @@ typedef struct rt_query_options {
     uint32_t struct_size;
     uint32_t reserved;            /* 0 */
     double origin[3];             /* positions in the records of the query, both ways, are relative
-                                     to this point */
+                                     to this point. Rigid meshes see the sum in double, others
+                                     rounded to float, relative to the world's origin. */
     rt_snapshot snapshot;         /* null: the current one */
     const rt_mesh* ignore_meshes; /* ignore_count of them; stale ones ignore nothing */
     uint64_t ignore_count;
@@ -867,7 +869,7 @@ RT_EXPORT rt_result rt_resolve_hits(rt_scene scene, const rt_hit* hits, uint64_t
  * Every answer is defined by one test of a shape and a triangle in double precision
  * (docs/queries.md has its error bound, far below 0.1 mm in a level of 100 m), rounded to float at
  * the end; like a ray's, it depends on the geometry and the shape alone. Triangles of rigid meshes
- * are taken to the world in double first.
+ * are seen from the shape's centre in double.
  *
  * Errors of the three calls: INVALID_ARGUMENT (a component that is NaN, infinite or beyond 1e30, a
  * negative radius or extent, a direction or a rotation of length 0; the record and the field are

@@ -9,7 +9,8 @@ struct Vertices {
     math::Vec3 v0, v1, v2;
 
     geometry::Corners around(const Place& place, const math::Vec3d& center) const {
-        return {place.point(v0), place.point(v1), place.point(v2), center};
+        return {place.point(v0), place.point(v1), place.point(v2),
+                place.to_world ? place.center : center};
     }
 };
 

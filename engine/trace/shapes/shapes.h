@@ -15,14 +15,16 @@ namespace peregrine::trace {
 
 struct Target;
 
-// Where a target's triangles stand in the world; for those that stand where they are, the default.
+// How a target's triangles stand before a shape; for those that stand where they are, the default.
 struct Place {
     const math::Affine* to_world = nullptr;
     bool mirrored = false;
     uint32_t mesh = geometry::kNoTriangle; // a slot; takes the place of that in the target's infos
+    math::Vec3d center{0}; // with to_world: the shape's, as seen from the target's own origin
 
+    // Relative to its own origin, turned as in the world.
     math::Vec3d point(const math::Vec3& v) const {
-        return to_world ? to_world->point(math::Vec3d(v)) : math::Vec3d(v);
+        return to_world ? to_world->vector(math::Vec3d(v)) : math::Vec3d(v);
     }
 };
 

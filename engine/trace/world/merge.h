@@ -10,8 +10,10 @@ inline bool sees(const Filter& filter, const Instance& instance) {
 }
 
 // The ray as the instance's triangles are asked about it; false if nothing is left of it.
-inline bool within(const Instance& instance, const math::Ray& ray, math::Ray& local) {
-    if (instance.has_own_space()) return to_local(instance.to_local, ray, local);
+inline bool within(const Instance& instance, const math::Ray& ray, const Position& position,
+                   math::Ray& local) {
+    if (instance.has_own_space())
+        return to_local(instance.to_local, position.from(instance.origin), ray, local);
     local = ray;
     return true;
 }

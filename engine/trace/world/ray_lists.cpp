@@ -24,6 +24,30 @@ constexpr Numbers kI;
 constexpr hn::Rebind<RayNumber, Lanes> kN;
 constexpr uint32_t kWidth = uint32_t(hn::MaxLanes(kF));
 
+using VF = hn::Vec<Lanes>;
+
+// Planes of boxes, each relative to the origin of a ray.
+struct SixPlanes {
+    VF lower[3], upper[3];
+    VF farthest; // of them; 0 at first
+
+    HWY_ATTR HWY_INLINE void place(int k, VF lower_, VF lower_rest, VF upper_, VF upper_rest) {
+        lower[k] = hn::Add(lower_, lower_rest);
+        upper[k] = hn::Add(upper_, upper_rest);
+        farthest = hn::Max(farthest, hn::Max(hn::Abs(lower[k]), hn::Abs(upper[k])));
+    }
+    HWY_ATTR HWY_INLINE VF margin(VF margin, VF slope, VF distance) const {
+        return hn::Add(hn::Add(margin, hn::Mul(slope, farthest)),
+                       hn::Mul(hn::Set(kF, 0x1p-46f), distance));
+    }
+    HWY_ATTR HWY_INLINE void cut(int k, VF margin, VF inverse, VF& near, VF& far) const {
+        const VF a = hn::Mul(hn::Sub(lower[k], margin), inverse);
+        const VF b = hn::Mul(hn::Add(upper[k], margin), inverse);
+        near = hn::Max(near, hn::Min(a, b));
+        far = hn::Min(far, hn::Max(a, b));
+    }
+};
+
 // Which of the rays that of(array) reads may meet the extent, a bit each.
 template <class Of>
 HWY_ATTR HWY_INLINE uint32_t meet(const accel::instances::Extent& extent, const GateStream& rays,
@@ -45,13 +69,37 @@ HWY_ATTR HWY_INLINE uint32_t meet(const accel::instances::Extent& extent, const 
     return bytes[0];
 }
 
+// ... of an extent with rests: its planes relative to the origins, of which either is a sum of two
+// floats. The margins grow with the distance to the farthest of them.
+template <class Of>
+HWY_ATTR HWY_INLINE uint32_t meet(const FarExtent& extent, const GateStream& rays, const Of& of) {
+    const math::Box& box = extent.rounded.box;
+    SixPlanes planes;
+    planes.farthest = hn::Zero(kF);
+    for (int k = 0; k < 3; ++k) {
+        const auto origin = of(rays.origin[k]), rest = of(rays.rest[k]);
+        planes.place(k, hn::Sub(hn::Set(kF, box.lower[k]), origin),
+                     hn::Sub(hn::Set(kF, extent.lower[k]), rest),
+                     hn::Sub(hn::Set(kF, box.upper[k]), origin),
+                     hn::Sub(hn::Set(kF, extent.upper[k]), rest));
+    }
+    auto near = of(rays.t_min), far = of(rays.t_max);
+    const auto m = planes.margin(hn::Set(kF, extent.margin), hn::Set(kF, extent.rounded.slope),
+                                 of(rays.distance));
+    for (int k = 0; k < 3; ++k) planes.cut(k, m, of(rays.inverse[k]), near, far);
+    uint8_t bytes[8] = {};
+    hn::StoreMaskBits(kF, hn::Le(near, far), bytes);
+    return bytes[0];
+}
+
 // Of `left` rays in lanes.
 constexpr uint32_t bits_of(uint32_t left) {
     return left < kWidth ? (1u << left) - 1 : ~0u;
 }
 
-HWY_ATTR uint32_t enter(const accel::instances::Extent& extent, const GateStream& rays,
-                        const RayNumber* from, uint32_t count, RayNumber* to) {
+template <class Extent>
+HWY_ATTR uint32_t enter(const Extent& extent, const GateStream& rays, const RayNumber* from,
+                        uint32_t count, RayNumber* to) {
     uint32_t entered = 0;
     for (uint32_t i = 0; i < count; i += kWidth) {
         const auto number = hn::PromoteTo(kI, hn::LoadU(kN, from + i));
@@ -67,8 +115,9 @@ HWY_ATTR uint32_t enter(const accel::instances::Extent& extent, const GateStream
     return entered;
 }
 
-HWY_ATTR uint32_t enter_all(const accel::instances::Extent& extent, const GateStream& rays,
-                            uint32_t count, RayNumber* to) {
+template <class Extent>
+HWY_ATTR uint32_t enter_all(const Extent& extent, const GateStream& rays, uint32_t count,
+                            RayNumber* to) {
     uint32_t entered = 0;
     for (uint32_t i = 0; i < count; i += kWidth) {
         const auto of = [&](const float* values) HWY_ATTR __attribute__((always_inline)) {
@@ -78,6 +127,23 @@ HWY_ATTR uint32_t enter_all(const accel::instances::Extent& extent, const GateSt
             to[entered++] = RayNumber(i + uint32_t(__builtin_ctz(bits)));
     }
     return entered;
+}
+
+HWY_ATTR HWY_INLINE void store_entered(VF near, VF far, uint32_t first, EnteredNode& entered) {
+    hn::Store(near, kF, entered.t_near + first);
+    uint8_t bytes[8] = {};
+    hn::StoreMaskBits(kF, hn::Le(near, far), bytes);
+    entered.children |= uint32_t(bytes[0]) << first;
+}
+
+// Of the children that are there; unusual rays enter them all.
+HWY_ATTR HWY_INLINE void choose(const accel::instances::Node& node, const GateRay& ray,
+                                EnteredNode& entered) {
+    if (!ray.is_usual) [[unlikely]] {
+        entered.children = ~0u;
+        std::fill_n(entered.t_near, accel::instances::kWidth, ray.t_min);
+    }
+    entered.children &= (1u << node.count) - 1;
 }
 
 HWY_ATTR HWY_INLINE void meet_children(const accel::instances::Node& node, const GateRay& ray,
@@ -96,16 +162,32 @@ HWY_ATTR HWY_INLINE void meet_children(const accel::instances::Node& node, const
             near = hn::Max(near, hn::Min(a, b));
             far = hn::Min(far, hn::Max(a, b));
         }
-        hn::Store(near, kF, entered.t_near + first);
-        uint8_t bytes[8] = {};
-        hn::StoreMaskBits(kF, hn::Le(near, far), bytes);
-        entered.children |= uint32_t(bytes[0]) << first;
+        store_entered(near, far, first, entered);
     }
-    if (!ray.is_usual) [[unlikely]] {
-        entered.children = ~0u;
-        std::fill_n(entered.t_near, accel::instances::kWidth, ray.t_min);
+    choose(node, ray, entered);
+}
+
+HWY_ATTR void enter_node_far(const accel::instances::Node& node,
+                             const accel::instances::NodeRest& rest, const GateRay& ray,
+                             float t_max, EnteredNode& entered) {
+    entered.children = 0;
+    for (uint32_t first = 0; first < accel::instances::kWidth; first += kWidth) {
+        SixPlanes planes;
+        planes.farthest = hn::Zero(kF);
+        for (int k = 0; k < 3; ++k) {
+            const auto origin = hn::Set(kF, ray.origin[k]), left = hn::Set(kF, ray.rest[k]);
+            planes.place(k, hn::Sub(hn::Load(kF, node.lower[k] + first), origin),
+                         hn::Sub(hn::Load(kF, rest.lower[k] + first), left),
+                         hn::Sub(hn::Load(kF, node.upper[k] + first), origin),
+                         hn::Sub(hn::Load(kF, rest.upper[k] + first), left));
+        }
+        auto near = hn::Set(kF, ray.t_min), far = hn::Set(kF, t_max);
+        const auto m = planes.margin(hn::Load(kF, rest.margin + first),
+                                     hn::Load(kF, node.slope + first), hn::Set(kF, ray.distance));
+        for (int k = 0; k < 3; ++k) planes.cut(k, m, hn::Set(kF, ray.inverse[k]), near, far);
+        store_entered(near, far, first, entered);
     }
-    entered.children &= (1u << node.count) - 1;
+    choose(node, ray, entered);
 }
 
 HWY_ATTR void enter_node(const accel::instances::Node& node, const GateRay& ray, float t_max,
@@ -154,7 +236,10 @@ HWY_ATTR void look_at(const RayStream& rays, GateStream& gate) {
     }
 }
 
-constexpr RayLists kRayLists = {look_at, enter_all, enter, enter_root, enter_node};
+using accel::instances::Extent;
+
+constexpr RayLists kRayLists = {look_at,    enter_all<Extent>,    enter<Extent>,    enter_root,
+                                enter_node, enter_all<FarExtent>, enter<FarExtent>, enter_node_far};
 
 } // namespace peregrine::trace::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -50,26 +50,27 @@ private:
 
 } // namespace
 
-bool Search::closest(const math::Ray& ray, WorldHit& hit) {
+bool Search::closest(const math::Ray& ray, const Position& position, WorldHit& hit) {
     HitList list(1);
-    visit_parts(ray, Visitor::Wants::hits, list);
+    visit_parts(ray, position, Visitor::Wants::hits, list);
     if (!list.full()) return false;
     hit = list.hits().front();
     return true;
 }
 
-bool Search::occluded(const math::Ray& ray) {
+bool Search::occluded(const math::Ray& ray, const Position& position) {
     AnyHit any;
-    visit_parts(ray, Visitor::Wants::hits, any);
+    visit_parts(ray, position, Visitor::Wants::hits, any);
     return any.found();
 }
 
-void Search::collect_crossings(const math::Ray& ray, HitList& list) {
-    visit_parts(ray, Visitor::Wants::crossings, list);
+void Search::collect_crossings(const math::Ray& ray, const Position& position, HitList& list) {
+    visit_parts(ray, position, Visitor::Wants::crossings, list);
 }
 
 template <class Hits>
-void Search::visit_parts(const math::Ray& ray, Visitor::Wants wants, Hits& hits) {
+void Search::visit_parts(const math::Ray& ray, const Position& position, Visitor::Wants wants,
+                         Hits& hits) {
     math::Ray left = ray; // what is left of it in front of the hits that are known
     const auto visit = [&](const Part& part, const math::Ray& local, const Filter& filter,
                            const Instance* instance) {
@@ -82,10 +83,10 @@ void Search::visit_parts(const math::Ray& ray, Visitor::Wants wants, Hits& hits)
     if (visit(world_.fixed, left, filter_, nullptr)) return;
     if (!world_.nodes) return;
     EnteredNode entered;
-    const RayGate gate(world_, left, entered);
+    const RayGate gate(world_, left, position, entered);
     visit_instances(world_, gate, entered, left.t_max, [&](const Instance& instance) {
         math::Ray local;
-        if (!sees(filter_, instance) || !within(instance, left, local)) return false;
+        if (!sees(filter_, instance) || !within(instance, left, position, local)) return false;
         counters_.instances += instance.has_own_space();
         return visit(instance.part, local, filter_within(filter_, instance), &instance);
     });

@@ -22,18 +22,19 @@ public:
         : world_(world), filter_(filter), judge_(judge) {}
 
     // The first hit; false: none.
-    bool closest(const math::Ray& ray, WorldHit& hit);
-    bool occluded(const math::Ray& ray);
+    bool closest(const math::Ray& ray, const Position& position, WorldHit& hit);
+    bool occluded(const math::Ray& ray, const Position& position);
 
     // Calls store(i, hit) for each triangle that the ray crosses (geometry/crossing.h), in order,
     // but for no more than `most`; returns how many there were.
     template <class Store>
-    uint32_t crossings(const math::Ray& ray, uint32_t most, Store&& store) {
+    uint32_t crossings(const math::Ray& ray, const Position& position, uint32_t most,
+                       Store&& store) {
         HitList list(most);
         uint32_t count = 0;
         math::Ray left = ray;
         while (count < most) {
-            collect_crossings(left, list);
+            collect_crossings(left, position, list);
             for (const WorldHit& hit : list.hits()) store(count++, hit);
             if (!list.full() || count == most) break;
             left.t_min = list.hits().back().t;
@@ -45,10 +46,11 @@ public:
     const Counters& counters() const { return counters_; }
 
 private:
-    void collect_crossings(const math::Ray& ray, HitList& list);
+    void collect_crossings(const math::Ray& ray, const Position& position, HitList& list);
 
     template <class Hits>
-    void visit_parts(const math::Ray& ray, Visitor::Wants wants, Hits& hits);
+    void visit_parts(const math::Ray& ray, const Position& position, Visitor::Wants wants,
+                     Hits& hits);
 
     const World& world_;
     const Filter& filter_;

@@ -15,10 +15,11 @@ const ShapeKernels& kernels(const Part& part, const Query& query) {
     return counts ? *part.kernels->plain_shapes : *part.kernels->shapes;
 }
 
-Place place_of(const Instance& instance) {
-    if (instance.has_own_space()) return {instance.to_world, instance.mirrored, instance.mesh};
-    return {nullptr, false, instance.mesh};
-}
+// An instance and the volume, each as the other sees it.
+struct Meeting {
+    Place place;
+    Volume local;
+};
 
 // At least the length of the image of any unit vector: |W| = sqrt(|W^T W|), the latter in the
 // maximum norm, which is exact for turned and scaled meshes.
@@ -32,26 +33,22 @@ double longest_image(const math::Affine& map) {
     return std::sqrt(largest) * (1 + 0x1p-40);
 }
 
-// The volume in the instance's space. To what the map to there, W, makes of it comes what is
-// rounded: the local origin, if kernels want it in float, and the maps there and back in double:
-// c 2^-44 (|W| (|o| + |m|) + |w| + R), where m and w are the offsets, R the largest |coordinate| of
-// the mesh and c = |M| |W|; twice each, so that the corner of a cube of slack is within a ball of
-// it.
-Volume to_local(const Instance& instance, const Volume& volume) {
-    if (!instance.has_own_space()) return volume;
+// The volume in the instance's space, its origin being o as seen from that of the space. To what
+// the map to there, W, makes of it comes what is rounded: the local origin, if kernels want it in
+// float, and the maps there and back in double: c 2^-44 (|W| |o| + R), where R is the largest
+// |coordinate| of the mesh and c = |M| |W|; twice each, so that the corner of a cube of slack is
+// within a ball of it.
+Volume to_local(const Instance& instance, const Volume& volume, const math::Vec3d& seen) {
     const math::Affine& map = instance.to_local;
     Volume local;
-    local.origin = map.point(volume.origin);
+    local.origin = map.vector(seen);
     local.direction = map.vector(volume.direction);
     const auto largest = [](const math::Vec3d& v) { return largest_component(v); };
     const math::Box& bounds = instance.part.target.bounds;
     const double shrinks = map.norm(), condition = shrinks * instance.to_world->norm();
     const double mesh =
         largest(glm::max(glm::abs(math::Vec3d(bounds.lower)), glm::abs(math::Vec3d(bounds.upper))));
-    const double size =
-        shrinks
-            * (largest(volume.origin) + largest(instance.to_world->offset) + largest(volume.extent))
-        + largest(map.offset) + mesh;
+    const double size = shrinks * (largest(seen) + largest(volume.extent)) + mesh;
     local.slack = 0x1p-21 * largest(local.origin) + condition * 0x1p-43 * size;
     local.extent =
         ((glm::abs(map.column[0]) * volume.extent.x + glm::abs(map.column[1]) * volume.extent.y)
@@ -63,12 +60,27 @@ Volume to_local(const Instance& instance, const Volume& volume) {
     return local;
 }
 
-// A volume as the nodes over instances see it.
+Meeting meet(const Instance& instance, const Volume& volume, const Position& position) {
+    if (!instance.has_own_space()) return {{nullptr, false, instance.mesh}, volume};
+    const math::Vec3d seen = position.from(instance.origin);
+    return {{instance.to_world, instance.mirrored, instance.mesh, seen},
+            to_local(instance, volume, seen)};
+}
+
+// A volume as the nodes over instances see it. Its origin counts as it was told, in double, for
+// meshes with a space of their own, and rounded to float for others.
 class VolumeGate {
 public:
-    VolumeGate(const Volume& volume, double reach) : slabs_(slabs<double>(volume, reach, 0)) {}
+    VolumeGate(const World& world, const Volume& volume, const Position& position)
+        : world_(world), volume_(volume),
+          slabs_(slabs<double>(volume, reach_of(world.moving_bounds, volume), 0)) {
+        if (position.base != math::Vec3d(0)) see_both(position);
+    }
 
-    void enter(const accel::instances::Node& node, float t_max, EnteredNode& entered) const {
+    void enter(uint32_t at, float t_max, EnteredNode& entered) const {
+        const accel::instances::Node& node = world_.nodes[at];
+        if (world_.rests) [[unlikely]]
+            return enter_far(node, world_.rests[at], t_max, entered);
         entered.children = 0;
         for (uint32_t i = 0; i < node.count; ++i) {
             double t_near = 0, t_far = double(t_max);
@@ -84,19 +96,58 @@ public:
     }
 
 private:
+    void see_both(const Position& position) {
+        const double between = 0x1p-23 * largest_component(volume_.origin);
+        for (int k = 0; k < 3; ++k)
+            if (world_.rests)
+                slabs_.origin[k] = double(position.record[k]) + position.base[k];
+            else
+                slabs_.margin[k] += between * std::fabs(slabs_.inverse[k]);
+    }
+
+    // With the margins of volume.h for each child alone, and what world.h has for nodes with rests.
+    void enter_far(const accel::instances::Node& node, const accel::instances::NodeRest& rest,
+                   float t_max, EnteredNode& entered) const {
+        const double distance = largest_component(volume_.origin);
+        entered.children = 0;
+        for (uint32_t i = 0; i < node.count; ++i) {
+            double lower[3], upper[3], reach = 0;
+            for (int k = 0; k < 3; ++k) {
+                lower[k] = double(node.lower[k][i]) - slabs_.origin[k] + double(rest.lower[k][i]);
+                upper[k] = double(node.upper[k][i]) - slabs_.origin[k] + double(rest.upper[k][i]);
+                reach = std::max(reach, std::max(std::fabs(lower[k]), std::fabs(upper[k]))
+                                            + volume_.extent[k]);
+            }
+            const double error =
+                0x1p-17 * reach + double(rest.margin[i]) + 0x1p-46 * distance + 0x1p-146;
+            double t_near = 0, t_far = double(t_max);
+            for (int k = 0; k < 3; ++k) {
+                const double a = lower[k] * slabs_.inverse[k], b = upper[k] * slabs_.inverse[k];
+                const double margin =
+                    (volume_.extent[k] + error) * std::fabs(slabs_.inverse[k]) + 0x1p-149;
+                t_near = std::max(t_near, std::min(a, b) - margin);
+                t_far = std::min(t_far, std::max(a, b) + margin);
+            }
+            entered.children |= uint32_t(t_near <= t_far) << i;
+            entered.t_near[i] = float(t_near);
+        }
+    }
+
+    const World& world_;
+    const Volume& volume_;
     Slabs<double> slabs_;
 };
 
-// Calls visit(instance, its volume) for those that the filter sees and the volume may meet; as
+// Calls visit(instance, meeting) for those that the filter sees and the volume may meet; as
 // visit_instances.h has it.
 template <class Visit>
-bool visit_instances(const World& world, const Volume& volume, const Filter& filter,
-                     const float& t_max, Visit&& visit) {
-    const VolumeGate gate(volume, reach_of(world.moving_bounds, volume));
+bool visit_instances(const World& world, const Volume& volume, const Position& position,
+                     const Filter& filter, const float& t_max, Visit&& visit) {
+    const VolumeGate gate(world, volume, position);
     EnteredNode entered;
-    gate.enter(world.nodes[0], t_max, entered);
+    gate.enter(0, t_max, entered);
     return visit_instances(world, gate, entered, t_max, [&](const Instance& instance) {
-        return sees(filter, instance) && visit(instance, to_local(instance, volume));
+        return sees(filter, instance) && visit(instance, meet(instance, volume, position));
     });
 }
 
@@ -139,7 +190,8 @@ NearestHit limit_of(const NearestHit& best) {
 
 } // namespace
 
-FirstHit sweep(const World& world, const Volume& volume, const SweepQuery& query) {
+FirstHit sweep(const World& world, const Volume& volume, const Position& position,
+               const SweepQuery& query) {
     FirstHit best;
     kernels(world.fixed, query).sweep(world.fixed.target, kWhereItIs, volume, query, best);
     if (!world.nodes) return best;
@@ -150,43 +202,47 @@ FirstHit sweep(const World& world, const Volume& volume, const SweepQuery& query
         take_first(world, hit, part.first, best);
     };
     float t_max = best.limit(query.t_max);
-    visit_instances(world, volume, query.filter, t_max,
-                    [&](const Instance& instance, const Volume& local) {
-                        look(instance.part, place_of(instance), local, within(query, instance));
+    visit_instances(world, volume, position, query.filter, t_max,
+                    [&](const Instance& instance, const Meeting& meeting) {
+                        look(instance.part, meeting.place, meeting.local, within(query, instance));
                         t_max = best.limit(query.t_max);
                         return false;
                     });
     return best;
 }
 
-bool overlaps(const World& world, const Volume& volume, const OverlapQuery& query) {
+bool overlaps(const World& world, const Volume& volume, const Position& position,
+              const OverlapQuery& query) {
     if (kernels(world.fixed, query).overlaps(world.fixed.target, kWhereItIs, volume, query))
         return true;
     if (!world.nodes) return false;
     const float at_rest = 0;
-    return visit_instances(
-        world, volume, query.filter, at_rest, [&](const Instance& instance, const Volume& local) {
-            const Part& part = instance.part;
-            return kernels(part, query)
-                .overlaps(part.target, place_of(instance), local, within(query, instance));
-        });
+    return visit_instances(world, volume, position, query.filter, at_rest,
+                           [&](const Instance& instance, const Meeting& meeting) {
+                               const Part& part = instance.part;
+                               return kernels(part, query)
+                                   .overlaps(part.target, meeting.place, meeting.local,
+                                             within(query, instance));
+                           });
 }
 
-void collect(const World& world, const Volume& volume, const OverlapQuery& query,
-             Touched& touched) {
+void collect(const World& world, const Volume& volume, const Position& position,
+             const OverlapQuery& query, Touched& touched) {
     kernels(world.fixed, query).collect(world.fixed.target, kWhereItIs, volume, query, touched);
     if (!world.nodes) return;
     const float at_rest = 0;
-    visit_instances(
-        world, volume, query.filter, at_rest, [&](const Instance& instance, const Volume& local) {
-            const Part& part = instance.part;
-            kernels(part, query)
-                .collect(part.target, place_of(instance), local, within(query, instance), touched);
-            return false;
-        });
+    visit_instances(world, volume, position, query.filter, at_rest,
+                    [&](const Instance& instance, const Meeting& meeting) {
+                        const Part& part = instance.part;
+                        kernels(part, query)
+                            .collect(part.target, meeting.place, meeting.local,
+                                     within(query, instance), touched);
+                        return false;
+                    });
 }
 
-NearestHit nearest(const World& world, const Volume& volume, const NearestQuery& query) {
+NearestHit nearest(const World& world, const Volume& volume, const Position& position,
+                   const NearestQuery& query) {
     NearestHit best;
     kernels(world.fixed, query).nearest(world.fixed.target, kWhereItIs, volume, query, best);
     if (!world.nodes) return best;
@@ -197,9 +253,9 @@ NearestHit nearest(const World& world, const Volume& volume, const NearestQuery&
         take_first(world, hit, part.first, best);
     };
     const float at_rest = 0;
-    visit_instances(world, with_radius(volume, double(best.limit(query.radius))), query.filter,
-                    at_rest, [&](const Instance& instance, const Volume& local) {
-                        look(instance.part, place_of(instance), local, within(query, instance));
+    visit_instances(world, with_radius(volume, double(best.limit(query.radius))), position,
+                    query.filter, at_rest, [&](const Instance& instance, const Meeting& meeting) {
+                        look(instance.part, meeting.place, meeting.local, within(query, instance));
                         return false;
                     });
     return best;

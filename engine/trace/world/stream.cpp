@@ -22,22 +22,34 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 template <class Kind>
 class Walk {
 public:
-    Walk(const World& world, const RayStream& rays, const Filter& filter, Kind& kind)
-        : world_(world), rays_(rays), filter_(filter), kind_(kind), lists_(*world.ray_lists),
-          sub_(rays.coherence) {
+    Walk(const World& world, const RayStream& rays, const Positions& positions,
+         const Filter& filter, Kind& kind)
+        : world_(world), rays_(rays), positions_(positions), filter_(filter), kind_(kind),
+          lists_(*world.ray_lists), sub_(rays.coherence) {
         lists_.look_at(rays, gate_);
         for (uint32_t i = 0; i < rays.count; ++i) gate_.t_max[i] = kind.left(i);
+        if (world.rests) [[unlikely]]
+            find_rests();
     }
 
     void run() {
         const Node& root = world_.nodes[0];
         for_each_child(root, 0, [&](uint32_t i) {
+            if (world_.rests) [[unlikely]]
+                return lists_.enter_all_far(far_extent(root, world_.rests[0], i), gate_,
+                                            rays_.count, list(0));
             return lists_.enter_all(root.extent(i), gate_, rays_.count, list(0));
         });
     }
 
 private:
     RayNumber* list(uint32_t level) { return room_[level]; }
+
+    void find_rests() {
+        for (int k = 0; k < 3; ++k)
+            for (uint32_t i = 0; i < rays_.count; ++i)
+                gate_.rest[k][i] = positions_[i].rest(rays_.origin[k][i], k);
+    }
 
     // Visits those children of which enter(i) finds rays, as many as it returns, in list(level).
     template <class Enter>
@@ -51,13 +63,17 @@ private:
             if (child.is_leaf())
                 visit_instance(world_.instances[child.instance()], level, count);
             else
-                visit(world_.nodes[child.node()], level, count);
+                visit(child.node(), level, count);
         }
     }
 
-    void visit(const Node& node, uint32_t level, uint32_t count) {
+    void visit(uint32_t at, uint32_t level, uint32_t count) {
+        const Node& node = world_.nodes[at];
         std::fill_n(list(level) + count, 16, RayNumber(0));
         for_each_child(node, level + 1, [&](uint32_t i) {
+            if (world_.rests) [[unlikely]]
+                return lists_.enter_far(far_extent(node, world_.rests[at], i), gate_, list(level),
+                                        count, list(level + 1));
             return lists_.enter(node.extent(i), gate_, list(level), count, list(level + 1));
         });
     }
@@ -87,11 +103,12 @@ private:
     void add(uint32_t number, const Instance& instance) {
         math::Ray ray = ray_at(rays_, number), local;
         ray.t_max = gate_.t_max[number];
-        if (within(instance, ray, local)) sub_.add(local, number);
+        if (within(instance, ray, positions_[number], local)) sub_.add(local, number);
     }
 
     const World& world_;
     const RayStream& rays_;
+    const Positions& positions_;
     const Filter& filter_;
     Kind& kind_;
     const RayLists& lists_;
@@ -163,16 +180,16 @@ private:
 
 } // namespace
 
-void closest_of_moving(const World& world, const RayStream& rays, const Filter& filter,
-                       const HitStream& hits) {
+void closest_of_moving(const World& world, const RayStream& rays, const Positions& positions,
+                       const Filter& filter, const HitStream& hits) {
     Closest kind(rays, hits);
-    Walk<Closest>(world, rays, filter, kind).run();
+    Walk<Closest>(world, rays, positions, filter, kind).run();
 }
 
-void occluded_by_moving(const World& world, const RayStream& rays, const Filter& filter,
-                        uint8_t* occluded) {
+void occluded_by_moving(const World& world, const RayStream& rays, const Positions& positions,
+                        const Filter& filter, uint8_t* occluded) {
     Occluded kind(rays, occluded);
-    Walk<Occluded>(world, rays, filter, kind).run();
+    Walk<Occluded>(world, rays, positions, filter, kind).run();
 }
 
 } // namespace peregrine::trace

@@ -11,17 +11,26 @@ namespace peregrine::trace {
 // A ray as the nodes over instances see it; `entered` receives what it enters of their root.
 class RayGate {
 public:
-    RayGate(const World& world, const math::Ray& ray, EnteredNode& entered)
-        : lists_(*world.ray_lists) {
-        lists_.enter_root(world.nodes[0], ray, ray_, entered);
+    RayGate(const World& world, const math::Ray& ray, const Position& position,
+            EnteredNode& entered)
+        : world_(world) {
+        world.ray_lists->enter_root(world.nodes[0], ray, ray_, entered);
+        if (world.rests) [[unlikely]] {
+            for (int k = 0; k < 3; ++k) ray_.rest[k] = position.rest(ray.origin[k], k);
+            enter(0, ray.t_max, entered);
+        }
     }
 
-    void enter(const accel::instances::Node& node, float t_max, EnteredNode& entered) const {
-        lists_.enter_node(node, ray_, t_max, entered);
+    void enter(uint32_t node, float t_max, EnteredNode& entered) const {
+        if (world_.rests) [[unlikely]]
+            world_.ray_lists->enter_node_far(world_.nodes[node], world_.rests[node], ray_, t_max,
+                                             entered);
+        else
+            world_.ray_lists->enter_node(world_.nodes[node], ray_, t_max, entered);
     }
 
 private:
-    const RayLists& lists_;
+    const World& world_;
     GateRay ray_;
 };
 
@@ -55,9 +64,8 @@ bool visit_instances(const World& world, const Gate& gate, EnteredNode& entered,
         if (link.is_leaf()) {
             if (visit(world.instances[link.instance()])) return true;
         } else {
-            const Node& node = world.nodes[link.node()];
-            gate.enter(node, t_max, entered);
-            push(node);
+            gate.enter(link.node(), t_max, entered);
+            push(world.nodes[link.node()]);
         }
     }
     return false;

@@ -18,6 +18,11 @@ float round_up(double value) {
     return std::nextafter(float(value), HUGE_VALF);
 }
 
+// What a ray in an own space may be off, back in the world, in parts of the local distance.
+double local_error(double grows, double shrinks) {
+    return grows * (0x1p-20 + grows * shrinks * 0x1p-48);
+}
+
 } // namespace
 
 geometry::TriangleInfo moving_info(const World& world, uint32_t triangle) {
@@ -36,7 +41,7 @@ accel::instances::Extent extent_of(const math::Affine& to_world, const math::Aff
     accel::instances::Extent extent;
     extent.box = math::bounds(to_world, local);
     const double grows = to_world.norm(), shrinks = to_local.norm();
-    const double error = grows * (0x1p-20 + grows * shrinks * 0x1p-48);
+    const double error = local_error(grows, shrinks);
     const double reach = largest_coordinate(to_local.offset) + largest_coordinate(local);
     extent.margin = round_up(error * reach + 0x1p-20 * largest_coordinate(extent.box) + 0x1p-140);
     extent.slope = round_up(error * shrinks + 0x1p-20);
@@ -49,6 +54,24 @@ accel::instances::Extent extent_of(const math::Box& bounds) {
     extent.box = bounds;
     extent.margin = 0x1p-19f * std::max({most.x, most.y, most.z}) + 0x1p-140f;
     extent.slope = 0x1p-19f;
+    return extent;
+}
+
+accel::instances::ExactExtent exact_extent_of(const Instance& instance) {
+    const math::Box& local = instance.part.target.bounds;
+    accel::instances::ExactExtent extent;
+    if (!instance.has_own_space()) { // its rays are rounded to float in the world
+        extent.lower = math::Vec3d(local.lower);
+        extent.upper = math::Vec3d(local.upper);
+        extent.margin = extent_of(local).margin;
+        return extent;
+    }
+    math::find_bounds(*instance.to_world, local, extent.lower, extent.upper);
+    const double error = local_error(instance.to_world->norm(), instance.to_local.norm());
+    const double coordinate =
+        std::max(largest_coordinate(extent.lower), largest_coordinate(extent.upper));
+    extent.margin =
+        round_up(error * 2 * largest_coordinate(local) + 0x1p-46 * coordinate + 0x1p-140);
     return extent;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "accel/instances/rest.h"
 #include "accel/instances/tree.h"
 #include "math/affine.h"
 #include "trace/kernels.h"
+#include "trace/world/position.h"
 
 #include <cstdint>
 
@@ -20,6 +22,7 @@ struct Part {
 // there is, by definition, what the canonical test says of the ray in that space (to_local).
 struct Instance {
     math::Affine to_local;
+    math::Vec3d origin; // of its space, relative to the world's
     Part part;
     uint32_t mesh; // slot; takes the place of that in the target's infos
     uint32_t layer_mask;
@@ -35,10 +38,11 @@ struct RayLists; // trace/world/ray_lists.h
 // Everything that a ray can hit.
 struct World {
     Part fixed;
-    const RayLists* ray_lists = nullptr;           // of the instruction set of `fixed`
-    const accel::instances::Node* nodes = nullptr; // over the instances; null: none
-    math::Box moving_bounds;                       // of all of them
-    const Instance* instances = nullptr;           // in ascending order of Part::first
+    const RayLists* ray_lists = nullptr;               // of the instruction set of `fixed`
+    const accel::instances::Node* nodes = nullptr;     // over the instances; null: none
+    const accel::instances::NodeRest* rests = nullptr; // of the nodes; null: none is far away
+    math::Box moving_bounds;                           // of all of them
+    const Instance* instances = nullptr;               // in ascending order of Part::first
     uint32_t instance_count = 0;
     uint32_t first_moving = 0; // number of the first triangle that is not fixed
     math::Box bounds;
@@ -53,10 +57,11 @@ inline geometry::TriangleInfo info(const World& world, uint32_t triangle) {
     return moving_info(world, triangle);
 }
 
-// The ray in the instance's space. False if nothing is left of it there: its direction vanishes, or
-// its origin lies beyond 1e30.
-inline bool to_local(const math::Affine& to_local, const math::Ray& ray, math::Ray& local) {
-    const math::Vec3 origin(to_local.point(math::Vec3d(ray.origin)));
+// The ray in an instance's space, given its origin as seen from that of the space. False if nothing
+// is left of it there: its direction vanishes, or its origin lies beyond 1e30.
+inline bool to_local(const math::Affine& to_local, const math::Vec3d& seen, const math::Ray& ray,
+                     math::Ray& local) {
+    const math::Vec3 origin(to_local.vector(seen));
     const math::Vec3 direction(to_local.vector(math::Vec3d(ray.direction)));
     local = {origin, ray.t_min, direction, ray.t_max};
     const auto largest = [](const math::Vec3& v) {
@@ -74,12 +79,18 @@ inline bool to_local(const math::Affine& to_local, const math::Ray& ray, math::R
 // Back in the world, where lengths grow by at most |M|, the ray is within
 //     |M| (12 e + c 2^-48) (|W| |o| + |w| + R)
 // of M Q; W and w are the map to local space, M its inverse, c = |M| |W| bounds what both lose in
-// double. A slab test in float errs by less than 2^-20 (|o| + C), C the box's largest |coordinate|.
+// double. A slab test in float, of an origin that is rounded to float, errs by less than
+// 2^-20 (|o| + C), C the box's largest |coordinate|.
 accel::instances::Extent extent_of(const math::Affine& to_world, const math::Affine& to_local,
                                    const math::Box& local);
 
 // ... of one without a space of its own: nothing is transformed, and the slab test of slabs.h asks
 // for the triangles' bounds alone.
 accel::instances::Extent extent_of(const math::Box& bounds);
+
+// The same for nodes with rests. There a slab test has boxes relative to the ray's origin, which
+// both are known to 2^-46 of their size, so it errs by less than 2^-20 d + 2^-46 (|o| + C), d the
+// largest distance from the origin to a corner along an axis. And |o'| is at most |W| d + R.
+accel::instances::ExactExtent exact_extent_of(const Instance& instance);
 
 } // namespace peregrine::trace
