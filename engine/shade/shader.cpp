@@ -8,6 +8,15 @@
 #include <limits>
 
 namespace peregrine::shade {
+namespace {
+
+// The largest distance along an axis from the point to one of the box.
+float reach_between(const math::Vec3& point, const math::Box& box) {
+    const math::Vec3 most = glm::max(glm::abs(box.lower - point), glm::abs(box.upper - point));
+    return std::max({most.x, most.y, most.z});
+}
+
+} // namespace
 
 void Scratch::initialize() {
     std::fill_n(just_above_zero, kPadded, 0x1p-12f);
@@ -18,13 +27,13 @@ void Scratch::initialize() {
 
 Shader Shader::prepare(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
                        std::span<const PreparedLight> lights, const math::Vec3d& origin) {
-    float light_reach = 0;
+    float light_radius = 0;
     for (const PreparedLight& light : lights)
-        if (light.from_light) light_reach = std::max(light_reach, light.radius);
+        if (light.from_light) light_radius = std::max(light_radius, light.radius);
     trace::Filter shadow_filter;
     shadow_filter.alpha = scene::alpha_test(snapshot);
-    return {&snapshot,     &shade::kernels(snapshot.isa()),       lights,
-            shadow_filter, {snapshot.world, origin, light_reach}, features,
+    return {&snapshot,     &shade::kernels(snapshot.isa()),        lights,
+            shadow_filter, {snapshot.world, origin, light_radius}, features,
             shadows};
 }
 
@@ -46,6 +55,12 @@ void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scrat
 }
 
 void Shader::illuminate(const PreparedLight& light, uint32_t count, Scratch& scratch) const {
+    if (light.from_light && light.radius > space.light_reach
+        && reach_between(light.position, scratch.surface.bounds) > space.light_reach) [[unlikely]] {
+        PreparedLight distant = light;
+        distant.from_light = false;
+        return illuminate(distant, count, scratch);
+    }
     const bool specular = features & scene::kSpecular;
     const ShadowRays rays = {
         {scratch.shadow_origin[0], scratch.shadow_origin[1], scratch.shadow_origin[2]},

@@ -110,11 +110,15 @@ void gather_tangents(const scene::MeshData& mesh, const std::array<uint32_t, 3>&
 
 } // namespace
 
+// Lights that shine farther than a level is large do not make all of a wide world's surfaces rise.
 SurfaceSpace::SurfaceSpace(const trace::World& world, const math::Vec3d& origin_,
-                           float light_reach_)
-    : origin(origin_), is_elsewhere(origin_ != math::Vec3d(0)), light_reach(light_reach_),
-      world_size(size_of(world.bounds)),
-      fixed_reach(std::min(world_size, size_of(world.fixed.target.bounds) + light_reach)) {}
+                           float light_radius)
+    : origin(origin_), is_elsewhere(origin_ != math::Vec3d(0)), world_size(size_of(world.bounds)) {
+    constexpr float kLevel = 256; // metres
+    const float fixed_size = size_of(world.fixed.target.bounds);
+    light_reach = std::min({light_radius, world_size, std::max(fixed_size, kLevel)});
+    fixed_reach = std::min(world_size, fixed_size + light_reach);
+}
 
 void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangle_index,
             bool back_face, const SurfaceSpace& space, TriangleShading& out) {

@@ -30,15 +30,16 @@ struct TriangleShading {
 };
 
 // What positions of surfaces are relative to, and what the errors of shadow rays grow with. These
-// start at a surface, or at a light within the world's bounds that reaches it.
+// start at a surface, or at a light within the world's bounds that is not farther than light_reach.
 struct SurfaceSpace {
     math::Vec3d origin{0};     // relative to the world's, and ...
     bool is_elsewhere = false; // ... whether it is another
-    float light_reach = 0;     // the largest radius of a light that shadow rays start at
     float world_size = 0;
+    float light_reach = 0;
     float fixed_reach = 0; // how far from a fixed triangle its shadow rays may start
 
-    SurfaceSpace(const trace::World& world, const math::Vec3d& origin, float light_reach);
+    // `light_radius`: the largest one of those lights.
+    SurfaceSpace(const trace::World& world, const math::Vec3d& origin, float light_radius);
 };
 
 // Gathers what `features` (scene::Feature bits) ask for; the rest is left unset.

@@ -12,7 +12,8 @@ namespace {
 
 // Boxes that are turned, stretched, sheared and mirrored, and a lamp; their places are exact
 // wherever the ship is.
-void add_ship(Space& space, const double (&place)[3], std::vector<rt_mesh>& parts) {
+void add_ship(Space& space, const double (&place)[3], std::vector<rt_mesh>& parts,
+              float light_radius = 30) {
     std::mt19937 random(7);
     const auto unit = [&] { return double(random()) / 2147483648.0 - 1; };
     for (int i = 0; i < 12; ++i) {
@@ -34,11 +35,11 @@ void add_ship(Space& space, const double (&place)[3], std::vector<rt_mesh>& part
     for (const rt_light_type type : {RT_LIGHT_POINT, RT_LIGHT_SPOT}) {
         rt_light_desc light = rt_default_light_desc();
         light.type = type;
-        light.radius = 30;
+        light.radius = light_radius;
         const double offset[3] = {type == RT_LIGHT_SPOT ? 6.0 : -7.0, 9, 2};
         for (int k = 0; k < 3; ++k) light.position[k] = place[k] + offset[k];
         light.direction[0] = -0.4f;
-        for (float& part : light.intensity) part = 4000;
+        for (float& part : light.intensity) part = 4000 * (light_radius / 30) * (light_radius / 30);
         light.cone_inner_cos = 0.9f;
         light.cone_outer_cos = 0.6f;
         rt_light lamp;
@@ -195,13 +196,13 @@ Picture picture_of(rt_scene scene, const double (&place)[3]) {
 }
 
 // What primary rays see is the same; light may differ where rounding decides, at edges of shadows.
-void expect_alike(const Picture& far, const Picture& near) {
+void expect_alike(const Picture& far, const Picture& near, float tolerance = 1e-4f) {
     EXPECT_EQ(far.depth, near.depth);
     EXPECT_EQ(far.normals, near.normals);
     EXPECT_EQ(far.triangles, near.triangles);
     size_t different = 0, lit = 0;
     for (size_t i = 0; i < near.pixels.size(); ++i) {
-        different += std::fabs(far.pixels[i] - near.pixels[i]) > 1e-4f * (1 + near.pixels[i]);
+        different += std::fabs(far.pixels[i] - near.pixels[i]) > tolerance * (1 + near.pixels[i]);
         lit += i % 4 == 0 && near.pixels[i] > 0.2f;
     }
     EXPECT_LT(different, near.pixels.size() / 500);
@@ -247,6 +248,21 @@ TEST(FarShips, TwoInOneScene) {
         EXPECT_LE(got.instances, expected.instances * 5 / 4) << i;
         expect_alike(picture_of(all.scene, places[i]), picture);
     }
+}
+
+// Lamps that shine much farther than a ship is large; shadow rays begin a bit higher above
+// surfaces.
+TEST(FarShips, LampsWithoutAnEnd) {
+    constexpr float kRadius = 4e6f; // does not reach the other ship
+    const double places[2][3] = {{0, 0, 0}, {1e7, 256, -512}};
+    Space near, all;
+    std::vector<rt_mesh> parts;
+    add_ship(near, places[0], parts, kRadius);
+    near.commit();
+    const Picture picture = picture_of(near.scene, places[0]);
+    for (const auto& place : places) add_ship(all, place, parts, kRadius);
+    all.commit();
+    for (const auto& place : places) expect_alike(picture_of(all.scene, place), picture, 1e-3f);
 }
 
 // The same place is the same however it is told.
