@@ -37,7 +37,8 @@ struct Packet {
             origin[k] = hn::Load(k8, rays.origin[k] + first);
             direction[k] = hn::Load(k8, rays.direction[k] + first);
         }
-        t_min = hn::Load(k8, rays.t_min + first);
+        t_min = hn::Max(hn::Load(k8, rays.t_min + first),
+                        hn::Set(k8, std::numeric_limits<float>::lowest()));
         t_max = hn::Load(k8, rays.t_max + first);
         present = hn::FirstN(k8, rays.count - first);
         find_slabs(target.bounds);
