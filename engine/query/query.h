@@ -55,10 +55,10 @@ void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Reque
 void occlusion(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                const Strided<uint8_t>& occluded);
 
-// The triangles that each ray crosses (geometry/crossing.h), in the order of (t, mesh slot,
-// triangle): each passage through a closed surface once, also on edges and vertices. Of those the
-// first `most`; ray i has them from record i * most on, and their number in counts. Records beyond
-// that number are left as they are.
+// The triangles that each ray crosses (geometry/crossing.h), in the order of (t, back_face,
+// mesh slot, triangle): each passage through a closed surface once, also on edges and vertices. Of
+// those the first `most`; ray i has them from record i * most on, and their number in counts.
+// Records beyond that number are left as they are.
 struct HitLists {
     std::byte* hits;
     uint32_t stride;

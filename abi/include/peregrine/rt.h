@@ -626,10 +626,11 @@ typedef struct rt_hit {
 
 typedef int32_t rt_query_kind;
 enum {
-    RT_QUERY_CLOSEST = 0, /* the hit with the smallest t; of equal ones the smallest
-                             (mesh.index, triangle) */
+    RT_QUERY_CLOSEST = 0, /* the hit with the smallest t; of equal ones a front before a back, then
+                             the smallest (mesh.index, triangle) */
     RT_QUERY_ANY = 1,     /* whether there is a hit at all */
-    RT_QUERY_ALL = 2,     /* the first max_hits crossings, in ascending (t, mesh.index, triangle) */
+    RT_QUERY_ALL = 2,     /* the first max_hits crossings, in ascending (t, back_face, mesh.index,
+                             triangle): a surface is entered before it is left */
     RT_QUERY_COUNT = 3    /* how many crossings there are */
 };
 

@@ -36,7 +36,7 @@ struct alignas(64) WaveRay {
     float ox, oy, oz, sx, sy, z_min, z_max, scale; // as in BlockRay
     uint8_t kx, ky, kz, none; // offsets of axes in a vertex of a block, in floats
     float dz, t_min, t_max;
-    uint32_t best; // triangle
+    uint32_t best; // key of the triangle
     uint32_t padding[3];
 };
 static_assert(sizeof(WaveRay) == 128);
