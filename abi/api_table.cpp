@@ -43,6 +43,8 @@ constexpr rt_api kApi = {
     .sweep_shapes = rt_sweep_shapes,
     .overlap_shapes = rt_overlap_shapes,
     .find_nearest = rt_find_nearest,
+    .set_mesh_user_data = rt_set_mesh_user_data,
+    .resolve_surfaces = rt_resolve_surfaces,
 };
 
 constexpr const char* kResultNames[] = {

@@ -141,6 +141,10 @@ rt_result rt_set_mesh_layer_mask(rt_scene scene, rt_mesh mesh, uint32_t layer_ma
     return guard([&] { find(find_scene(scene).scene, mesh).layer_mask = layer_mask; });
 }
 
+rt_result rt_set_mesh_user_data(rt_scene scene, rt_mesh mesh, uint64_t user_data) noexcept {
+    return guard([&] { find(find_scene(scene).scene, mesh).user_data = user_data; });
+}
+
 rt_result rt_set_mesh_hidden(rt_scene scene, rt_mesh mesh, uint32_t hidden) noexcept {
     return guard([&] { set_hidden(find_scene(scene).scene, mesh, hidden); });
 }

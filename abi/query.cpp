@@ -112,6 +112,7 @@ bool trace_plain(const HostScene& host, const rt_query_desc& desc) {
     options.select(request.selection);
     if (desc.flags & RT_QUERY_USE_THREADS) request.scheduler = &host.scene.scheduler;
     if (options.wants_stats()) request.counters = &counters;
+    request.mark_invalid = (desc.flags & RT_QUERY_MARK_INVALID) != 0;
     if (desc.ray_count > 0) {
         query::Rays rays = to_rays(desc);
         const auto pin = pin_snapshot(host.scene.snapshots, options.snapshot());

@@ -63,7 +63,8 @@ query::Selection to_selection(const rt_query_desc& desc) {
     require_enum(desc.kind, RT_QUERY_COUNT, "rt_query_desc.kind");
     require_enum(desc.faces, RT_FACES_BACK, "rt_query_desc.faces");
     require_enum(desc.coherence, RT_COHERENCE_INCOHERENT, "rt_query_desc.coherence");
-    require_bits(desc.flags, RT_QUERY_ALPHA_TEST | RT_QUERY_USE_THREADS, "rt_query_desc.flags");
+    require_bits(desc.flags, RT_QUERY_ALPHA_TEST | RT_QUERY_USE_THREADS | RT_QUERY_MARK_INVALID,
+                 "rt_query_desc.flags");
     require_zero(desc.reserved, "rt_query_desc.reserved");
     query::Selection selection = selected_meshes(desc);
     selection.alpha_test = (desc.flags & RT_QUERY_ALPHA_TEST) != 0;
@@ -104,7 +105,12 @@ query::HitLists to_hit_lists(const rt_query_desc& desc) {
     const uint64_t count = desc.ray_count * desc.max_hits;
     const auto hits = strided<query::Hit>(desc.hits, count, desc.result_stride,
                                           "rt_query_desc.hits", "rt_query_desc.result_stride");
-    return {hits.data, hits.stride, desc.max_hits, to_counts(desc), to_surfaces(desc, count)};
+    query::Strided<uint32_t> totals{};
+    if (desc.total_counts)
+        totals = strided<uint32_t>(desc.total_counts, desc.ray_count, 0,
+                                   "rt_query_desc.total_counts", "");
+    return {hits.data, hits.stride, desc.max_hits, to_counts(desc), to_surfaces(desc, count),
+            totals};
 }
 
 query::Strided<uint32_t> to_counts(const rt_query_desc& desc) {

@@ -2,6 +2,7 @@
 
 #include "check.h"
 #include "peregrine/rt.h"
+#include "query/marks.h"
 #include "query/query.h"
 #include "query/resolve.h"
 #include "query/shapes.h"
@@ -84,6 +85,7 @@ PEREGRINE_SAME_PLACE(rt_nearest, mesh, query::NearestPoint, mesh);
 static_assert(offsetof(rt_mesh, index) == offsetof(base::Handle, index));
 static_assert(offsetof(rt_mesh, generation) == offsetof(base::Handle, generation));
 static_assert(RT_NO_TRIANGLE == geometry::kNoTriangle);
+static_assert(RT_INVALID_BYTE == query::kInvalidByte && RT_INVALID_COUNT == query::kInvalidCount);
 
 #undef PEREGRINE_SAME_PLACE
 

@@ -18,7 +18,7 @@ public:
     Asked(HostScene& host, const Desc& desc, uint32_t known_flags, const char* flags_field,
           const char* faces_field)
         : options_(desc.options), pin_(pin_snapshot(host.scene.snapshots, options_.snapshot())) {
-        require_bits(desc.flags, known_flags, flags_field);
+        require_bits(desc.flags, known_flags | RT_QUERY_MARK_INVALID, flags_field);
         require_enum(desc.faces, RT_FACES_BACK, faces_field);
         query::Selection& selection = request_.selection;
         selection = selected_meshes(desc);
@@ -26,6 +26,7 @@ public:
         options_.select(selection);
         if (desc.flags & RT_QUERY_USE_THREADS) request_.scheduler = &host.scene.scheduler;
         if (options_.wants_stats()) request_.counters = &counters_;
+        request_.mark_invalid = (desc.flags & RT_QUERY_MARK_INVALID) != 0;
     }
 
     // query(snapshot, records, request, results), the records in the snapshot's own place.
@@ -96,8 +97,10 @@ void overlap(HostScene& host, const rt_overlap_desc& desc) {
         if (desc.overlap_counts) {
             const query::OverlapLists lists = to_lists(desc);
             asked.run(query::overlap_all, shapes, lists);
-            for (uint64_t i = 0; i < overlapping.count; ++i)
-                overlapping.store(i, lists.counts.load(i) != 0);
+            for (uint64_t i = 0; i < overlapping.count; ++i) {
+                const uint32_t count = lists.counts.load(i);
+                overlapping.store(i, count == RT_INVALID_COUNT ? RT_INVALID_BYTE : count != 0);
+            }
         } else {
             asked.run(query::overlap_any, shapes, overlapping);
         }

@@ -55,6 +55,7 @@ inline Axes axes_of(const Vec3& direction) {
 }
 
 inline ShearedRay shear(const math::Ray& ray) {
+    constexpr float kLargest = std::numeric_limits<float>::max();
     const auto [kx, ky, kz] = axes_of(ray.direction);
     const float dz = ray.direction[kz];
     return {ray.origin,
@@ -64,8 +65,8 @@ inline ShearedRay shear(const math::Ray& ray) {
             kx,
             ky,
             kz,
-            ray.t_min,
-            std::fmin(ray.t_max, std::numeric_limits<float>::max())};
+            std::fmax(ray.t_min, -kLargest),
+            std::fmin(ray.t_max, kLargest)};
 }
 
 struct TriangleHit {

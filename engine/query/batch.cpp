@@ -2,6 +2,7 @@
 
 #include "query/check_rays.h"
 #include "query/hit_stores.h"
+#include "query/marks.h"
 #include "query/ray_loaders.h"
 #include "query/ray_order.h"
 #include "query/spread.h"
@@ -34,21 +35,30 @@ bool is_aligned(const void* address) {
     return reinterpret_cast<uintptr_t>(address) % 64 == 0;
 }
 
+// What is known of the rays of a batch.
+struct Checked {
+    const RayLoaders& loaders;
+    bool some_invalid; // which are to be marked
+};
+
 // A chunk of the host's rays as a stream: in place where its arrays allow that, else copied here.
 class Chunk {
 public:
     // Of what was loaded.
     const trace::Positions& positions() const { return positions_; }
 
-    // Rays that are not valid may come as records of a batch that fits one chunk: then this throws.
+    // Rays that are not valid may come as records of a batch that fits one chunk: then this throws;
+    // and where it is known that there are some: then others that hit nothing take their place.
     trace::RayStream load(const Rays& rays, uint64_t first, uint32_t count,
-                          const RayLoaders& loaders) {
+                          const Checked& checked) {
         const float* lanes[8];
-        rays.records ? split(rays, first, count, loaders, lanes)
+        rays.records ? split(rays, first, count, checked, lanes)
                      : place(rays.arrays, first, count, lanes);
         positions_ = {{lanes[0], lanes[1], lanes[2]}, rays.shift.by};
         if (rays.shift) [[unlikely]]
             move(rays, count, lanes);
+        if (checked.some_invalid) [[unlikely]]
+            replace_invalid(count, lanes);
         return {{lanes[0], lanes[1], lanes[2]},
                 {lanes[4], lanes[5], lanes[6]},
                 lanes[RayArrays::kBegin],
@@ -57,13 +67,13 @@ public:
     }
 
 private:
-    void split(const Rays& rays, uint64_t first, uint32_t count, const RayLoaders& loaders,
+    void split(const Rays& rays, uint64_t first, uint32_t count, const Checked& checked,
                const float* (&lanes)[8]) {
         float* rooms[8];
         for (uint32_t k = 0; k < 8; ++k) lanes[k] = rooms[k] = room_[k].value;
         const bool valid =
-            loaders.split(rays.records + first * rays.stride, rays.stride, count, rooms);
-        if (!valid && !rays.shift) [[unlikely]]
+            checked.loaders.split(rays.records + first * rays.stride, rays.stride, count, rooms);
+        if (!valid && !rays.shift && !checked.some_invalid) [[unlikely]]
             reject_first(rays);
     }
 
@@ -85,6 +95,17 @@ private:
             float* const room = moved_[k].value;
             for (uint32_t i = 0; i < padded; ++i) room[i] = rays.shift.applied(lanes[k][i], k);
             lanes[k] = room;
+        }
+    }
+
+    void replace_invalid(uint32_t count, const float* (&lanes)[8]) {
+        for (uint32_t k = 0; k < 8; ++k)
+            if (lanes[k] != room_[k].value) lanes[k] = copy(lanes[k], 0, count, room_[k].value);
+        const uint32_t padded = (count + kPad - 1) / kPad * kPad;
+        for (uint32_t i = 0; i < padded; ++i) {
+            const auto at = [&](uint32_t k) { return room_[k].value[i]; };
+            if (!is_valid({{at(0), at(1), at(2)}, at(3), {at(4), at(5), at(6)}, at(7)}))
+                for (uint32_t k = 0; k < 8; ++k) room_[k].value[i] = kNoRay[k];
         }
     }
 
@@ -168,12 +189,12 @@ private:
 // Calls trace(stream, positions, first, count) for chunk after chunk of the rays from `first` to
 // `end`.
 template <class Trace>
-void for_each_chunk(const Rays& rays, uint64_t first, uint64_t end, const RayLoaders& loaders,
+void for_each_chunk(const Rays& rays, uint64_t first, uint64_t end, const Checked& checked,
                     trace::Coherence coherence, Trace&& trace) {
     Chunk chunk;
     for (; first < end; first += kChunk) {
         const auto count = uint32_t(std::min<uint64_t>(end - first, kChunk));
-        trace::RayStream stream = chunk.load(rays, first, count, loaders);
+        trace::RayStream stream = chunk.load(rays, first, count, checked);
         stream.coherence = coherence;
         trace(stream, chunk.positions(), first, count);
     }
@@ -182,8 +203,8 @@ void for_each_chunk(const Rays& rays, uint64_t first, uint64_t end, const RayLoa
 // ... of scattered rays, in another order: trace(stream, positions, number, count), where ray i of
 // the stream is ray number(i) of the batch.
 template <class Trace>
-void for_each_sorted_chunk(const Rays& rays, uint64_t first, uint64_t end,
-                           const RayLoaders& loaders, Trace&& trace) {
+void for_each_sorted_chunk(const Rays& rays, uint64_t first, uint64_t end, const Checked& checked,
+                           Trace&& trace) {
     RayOrder order;
     math::Ray room[kChunk];
     Chunk chunk;
@@ -196,7 +217,7 @@ void for_each_sorted_chunk(const Rays& rays, uint64_t first, uint64_t end,
             rays.gather(number, count, room);
             const Rays gathered{
                 count, reinterpret_cast<std::byte*>(room), sizeof *room, {}, rays.shift};
-            trace::RayStream stream = chunk.load(gathered, 0, count, loaders);
+            trace::RayStream stream = chunk.load(gathered, 0, count, checked);
             stream.coherence = trace::Coherence::incoherent;
             trace(stream, chunk.positions(), number, count);
         }
@@ -211,22 +232,23 @@ bool wants_order(const Rays& rays, uint64_t first, uint64_t end, trace::Coherenc
 
 // Records that fit one chunk are checked on the way into it; of more of them, of arrays and of
 // moved rays, all are looked at before the first result is written.
-const RayLoaders& check(const scene::Snapshot& snapshot, const Rays& rays,
-                        base::Scheduler* scheduler) {
+Checked check(const scene::Snapshot& snapshot, const Rays& rays, const Request& request) {
     const RayLoaders& loaders = ray_loaders(snapshot.isa());
-    if (!rays.records || rays.count > kChunk || rays.shift) check_rays(rays, loaders, scheduler);
-    return loaders;
+    if (request.mark_invalid) return {loaders, !are_all_valid(rays, loaders, request.scheduler)};
+    if (!rays.records || rays.count > kChunk || rays.shift)
+        check_rays(rays, loaders, request.scheduler);
+    return {loaders, false};
 }
 
 } // namespace
 
 void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
                    const Request& request, const Hits& hits, const Surfaces& surfaces) {
-    const RayLoaders& loaders = check(snapshot, rays, request.scheduler);
+    const Checked checked = check(snapshot, rays, request);
     const trace::Coherence coherence = request.selection.coherence;
     const auto in_order = [&](uint64_t first, uint64_t end) {
         HitChunk chunk(snapshot);
-        for_each_chunk(rays, first, end, loaders, coherence,
+        for_each_chunk(rays, first, end, checked, coherence,
                        [&](const trace::RayStream& stream, const trace::Positions& positions,
                            uint64_t begin, uint32_t count) {
                            trace::closest(snapshot.world, stream, positions, filter,
@@ -239,7 +261,7 @@ void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trac
         Hit room[kChunk];
         const Hits found{reinterpret_cast<std::byte*>(room), sizeof *room, {}};
         for_each_sorted_chunk(
-            rays, first, end, loaders,
+            rays, first, end, checked,
             [&](const trace::RayStream& stream, const trace::Positions& positions,
                 const auto& number, uint32_t count) {
                 trace::closest(snapshot.world, stream, positions, filter,
@@ -255,15 +277,17 @@ void closest_batch(const scene::Snapshot& snapshot, const Rays& rays, const trac
     spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
         wants_order(rays, first, end, coherence) ? sorted(first, end) : in_order(first, end);
     });
+    if (checked.some_invalid) [[unlikely]]
+        for_each_invalid(rays, [&](uint64_t i) { mark(i, hits, surfaces); });
 }
 
 void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const trace::Filter& filter,
                      const Request& request, const Strided<uint8_t>& occluded) {
-    const RayLoaders& loaders = check(snapshot, rays, request.scheduler);
+    const Checked checked = check(snapshot, rays, request);
     const trace::Coherence coherence = request.selection.coherence;
     const auto in_order = [&](uint64_t first, uint64_t end) {
         Lane<uint8_t> room;
-        for_each_chunk(rays, first, end, loaders, coherence,
+        for_each_chunk(rays, first, end, checked, coherence,
                        [&](const trace::RayStream& stream, const trace::Positions& positions,
                            uint64_t begin, uint32_t count) {
                            trace::occluded(snapshot.world, stream, positions, filter, room.value);
@@ -278,7 +302,7 @@ void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const tr
     };
     const auto sorted = [&](uint64_t first, uint64_t end) {
         Lane<uint8_t> room;
-        for_each_sorted_chunk(rays, first, end, loaders,
+        for_each_sorted_chunk(rays, first, end, checked,
                               [&](const trace::RayStream& stream, const trace::Positions& positions,
                                   const auto& number, uint32_t count) {
                                   trace::occluded(snapshot.world, stream, positions, filter,
@@ -290,6 +314,8 @@ void occlusion_batch(const scene::Snapshot& snapshot, const Rays& rays, const tr
     spread(request.scheduler, rays.count, [&](uint64_t first, uint64_t end) {
         wants_order(rays, first, end, coherence) ? sorted(first, end) : in_order(first, end);
     });
+    if (checked.some_invalid) [[unlikely]]
+        for_each_invalid(rays, [&](uint64_t i) { occluded.store(i, kInvalidByte); });
 }
 
 } // namespace peregrine::query

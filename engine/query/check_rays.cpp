@@ -20,13 +20,17 @@ bool are_valid(const Rays& rays, const RayLoaders& loaders) {
 
 } // namespace
 
-void check_rays(const Rays& rays, const RayLoaders& loaders, base::Scheduler* scheduler) {
+bool are_all_valid(const Rays& rays, const RayLoaders& loaders, base::Scheduler* scheduler) {
     std::atomic<bool> valid{true};
     spread(scheduler, rays.count, [&](uint64_t first, uint64_t end) {
         if (!are_valid(rays.part(first, end), loaders))
             valid.store(false, std::memory_order_relaxed);
     });
-    if (!valid.load(std::memory_order_relaxed)) [[unlikely]]
+    return valid.load(std::memory_order_relaxed);
+}
+
+void check_rays(const Rays& rays, const RayLoaders& loaders, base::Scheduler* scheduler) {
+    if (!are_all_valid(rays, loaders, scheduler)) [[unlikely]]
         reject_first(rays);
 }
 

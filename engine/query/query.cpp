@@ -2,6 +2,7 @@
 
 #include "query/batch.h"
 #include "query/chosen.h"
+#include "query/marks.h"
 #include "query/search.h"
 #include "query/store_hit.h"
 #include "query/valid_ray.h"
@@ -10,8 +11,18 @@
 namespace peregrine::query {
 namespace {
 
-void check_each(const Rays& rays) {
-    for (uint64_t i = 0; i < rays.count; ++i) check_ray(i, rays.load(i));
+// Calls answer(i, ray) for every ray, or mark(i) for those that are not valid.
+template <class Answer, class Mark>
+void for_each(const Rays& rays, bool marks, Answer&& answer, Mark&& mark) {
+    if (!marks)
+        for (uint64_t i = 0; i < rays.count; ++i) check_ray(i, rays.load(i));
+    for (uint64_t i = 0; i < rays.count; ++i) {
+        const math::Ray ray = rays.load(i);
+        if (marks && !is_valid(ray)) [[unlikely]]
+            mark(i);
+        else
+            answer(i, ray);
+    }
 }
 
 } // namespace
@@ -22,16 +33,18 @@ void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Reque
     const Chosen chosen(snapshot, request.selection);
     if (rays.count >= kSmallestBatch)
         return closest_batch(snapshot, rays, chosen.filter(), request, hits, surfaces);
-    check_each(rays);
     const HitNames names(snapshot);
-    for (uint64_t i = 0; i < rays.count; ++i) {
-        const trace::Hit found =
-            trace::closest(snapshot.world, rays.load(i), rays.position(i), chosen.filter());
-        const HitIds ids = names.of(found.triangle);
-        const Hit hit = {found.t, found.u, found.v, ids.triangle, ids.mesh, 0, found.back_face};
-        hits.store(i, hit);
-        if (surfaces) surfaces.store(i, surface_at(snapshot, hit, surfaces.fields));
-    }
+    for_each(
+        rays, request.mark_invalid,
+        [&](uint64_t i, const math::Ray& ray) {
+            const trace::Hit found =
+                trace::closest(snapshot.world, ray, rays.position(i), chosen.filter());
+            const HitIds ids = names.of(found.triangle);
+            const Hit hit = {found.t, found.u, found.v, ids.triangle, ids.mesh, 0, found.back_face};
+            hits.store(i, hit);
+            if (surfaces) surfaces.store(i, surface_at(snapshot, hit, surfaces.fields));
+        },
+        [&](uint64_t i) { mark(i, hits, surfaces); });
 }
 
 void occlusion(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
@@ -40,10 +53,13 @@ void occlusion(const scene::Snapshot& snapshot, const Rays& rays, const Request&
     const Chosen chosen(snapshot, request.selection);
     if (rays.count >= kSmallestBatch)
         return occlusion_batch(snapshot, rays, chosen.filter(), request, occluded);
-    check_each(rays);
-    for (uint64_t i = 0; i < rays.count; ++i)
-        occluded.store(
-            i, trace::occluded(snapshot.world, rays.load(i), rays.position(i), chosen.filter()));
+    for_each(
+        rays, request.mark_invalid,
+        [&](uint64_t i, const math::Ray& ray) {
+            occluded.store(i,
+                           trace::occluded(snapshot.world, ray, rays.position(i), chosen.filter()));
+        },
+        [&](uint64_t i) { occluded.store(i, kInvalidByte); });
 }
 
 } // namespace peregrine::query

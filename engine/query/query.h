@@ -39,11 +39,13 @@ struct Request {
     Selection selection;
     base::Scheduler* scheduler = nullptr; // takes part in large batches without `accept`
     trace::Counters* counters = nullptr;  // what the rays took; rays are slower then
+    bool mark_invalid = false; // records that are not valid are marked, and the others answered
 };
 
 // All of these throw base::Error invalid_argument that names the first ray which is not one: a
 // component NaN, an origin infinite or beyond 1e30, a direction infinite or zero. Nothing is
-// written then. Answers depend on neither the scheduler nor the counters.
+// written then. Or they mark its results (marks.h), if the request wants that. Answers depend on
+// neither the scheduler nor the counters.
 
 // The first hit of each ray, and what lies there if `surfaces` are wanted.
 void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
@@ -53,16 +55,17 @@ void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Reque
 void occlusion(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                const Strided<uint8_t>& occluded);
 
-// The triangles that each ray crosses (geometry/crossing.h), in the order of (t, mesh slot,
-// triangle): each passage through a closed surface once, also on edges and vertices. Of those the
-// first `most`; ray i has them from record i * most on, and their number in counts. Records beyond
-// that number are left as they are.
+// The triangles that each ray crosses (geometry/crossing.h), in the order of (t, back_face,
+// mesh slot, triangle): each passage through a closed surface once, also on edges and vertices. Of
+// those the first `most`; ray i has them from record i * most on, and their number in counts.
+// Records beyond that number are left as they are.
 struct HitLists {
     std::byte* hits;
     uint32_t stride;
     uint32_t most;
     Strided<uint32_t> counts;
-    Surfaces surfaces; // beside the hits
+    Surfaces surfaces;          // beside the hits
+    Strided<uint32_t> totals{}; // how many there are, beyond `most`; null: not wanted
 };
 void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
               const HitLists& lists);

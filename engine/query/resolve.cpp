@@ -1,6 +1,7 @@
 #include "query/resolve.h"
 
 #include "base/error.h"
+#include "query/marks.h"
 #include "query/surface.h"
 
 #include <cmath>
@@ -13,22 +14,33 @@ bool is_miss(const Hit& hit) {
     return hit.triangle == geometry::kNoTriangle && !hit.mesh;
 }
 
+bool has_mesh(const scene::Snapshot& snapshot, const base::Handle& mesh) {
+    return mesh.index < snapshot.meshes.size() && snapshot.meshes[mesh.index].data
+           && snapshot.meshes[mesh.index].generation == mesh.generation;
+}
+
+size_t triangle_count(const scene::Snapshot& snapshot, const base::Handle& mesh) {
+    return snapshot.meshes[mesh.index].data->triangles().size();
+}
+
+bool is_valid(const scene::Snapshot& snapshot, const Hit& hit) {
+    return is_miss(hit)
+           || (has_mesh(snapshot, hit.mesh) && hit.triangle < triangle_count(snapshot, hit.mesh)
+               && std::isfinite(hit.u) && std::isfinite(hit.v));
+}
+
 void check(const scene::Snapshot& snapshot, const Hit& hit, uint64_t index) {
-    if (is_miss(hit)) return;
+    if (is_valid(snapshot, hit)) return;
     const auto place = static_cast<unsigned long long>(index);
-    if (hit.mesh.index >= snapshot.meshes.size() || !snapshot.meshes[hit.mesh.index].data
-        || snapshot.meshes[hit.mesh.index].generation != hit.mesh.generation)
-        base::fail(base::Code::invalid_handle,
-                   "hit %llu: the current snapshot has no mesh {%u, %u}", place, hit.mesh.index,
-                   hit.mesh.generation);
-    const size_t count = snapshot.meshes[hit.mesh.index].data->triangles().size();
+    if (!has_mesh(snapshot, hit.mesh))
+        base::fail(base::Code::invalid_handle, "hit %llu: the snapshot has no mesh {%u, %u}", place,
+                   hit.mesh.index, hit.mesh.generation);
+    const size_t count = triangle_count(snapshot, hit.mesh);
     if (hit.triangle >= count)
         base::fail(base::Code::invalid_argument,
                    "hit %llu: triangle %u, but the mesh has %zu triangles", place, hit.triangle,
                    count);
-    if (!std::isfinite(hit.u) || !std::isfinite(hit.v))
-        base::fail(base::Code::invalid_argument, "hit %llu: the barycentrics are not finite",
-                   place);
+    base::fail(base::Code::invalid_argument, "hit %llu: the barycentrics are not finite", place);
 }
 
 math::Vec2 texcoord_at(const scene::MeshData& mesh, const Hit& hit) {
@@ -39,13 +51,14 @@ math::Vec2 texcoord_at(const scene::MeshData& mesh, const Hit& hit) {
 
 } // namespace
 
-Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit, uint32_t fields) {
+Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit, uint32_t fields,
+                   const math::Vec3d& origin) {
     Surface surface;
     if (is_miss(hit)) return surface;
     const scene::Snapshot::Mesh& mesh = snapshot.meshes[hit.mesh.index];
     const PlacedMesh placed(snapshot, mesh);
     if (fields & kPosition)
-        surface.position = snapshot.origin + placed.position(hit.triangle, hit.u, hit.v);
+        surface.position = (snapshot.origin - origin) + placed.position(hit.triangle, hit.u, hit.v);
     if (fields & kGeometricNormal) surface.geometric_normal = placed.geometric_normal(hit.triangle);
     if (fields & kShadingNormal)
         surface.shading_normal = placed.shading_normal(hit.triangle, hit.u, hit.v);
@@ -59,10 +72,16 @@ Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit, uint32_t fie
     return surface;
 }
 
-void resolve(const scene::Snapshot& snapshot, const Strided<Hit>& hits, const Surfaces& surfaces) {
-    for (uint64_t i = 0; i < hits.count; ++i) check(snapshot, hits.load(i), i);
-    for (uint64_t i = 0; i < hits.count; ++i)
-        surfaces.store(i, surface_at(snapshot, hits.load(i), surfaces.fields));
+void resolve(const scene::Snapshot& snapshot, const Strided<Hit>& hits, const Surfaces& surfaces,
+             bool mark_invalid) {
+    if (!mark_invalid)
+        for (uint64_t i = 0; i < hits.count; ++i) check(snapshot, hits.load(i), i);
+    for (uint64_t i = 0; i < hits.count; ++i) {
+        const Hit hit = hits.load(i);
+        const bool is_marked = mark_invalid && !is_valid(snapshot, hit);
+        surfaces.store(i, is_marked ? invalid_surface()
+                                    : surface_at(snapshot, hit, surfaces.fields, surfaces.origin));
+    }
 }
 
 } // namespace peregrine::query

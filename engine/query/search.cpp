@@ -2,6 +2,7 @@
 
 #include "query/check_rays.h"
 #include "query/chosen.h"
+#include "query/marks.h"
 #include "query/spread.h"
 #include "query/store_hit.h"
 #include "query/total_counters.h"
@@ -13,6 +14,7 @@
 namespace peregrine::query {
 namespace {
 
+constexpr uint32_t kAll = std::numeric_limits<uint32_t>::max(); // crossings of a ray
 constexpr Hit kMiss = {kInfinity, 0, 0, geometry::kNoTriangle, {}, 0, 0};
 
 base::Handle mesh_of(const scene::Snapshot& snapshot, const trace::WorldHit& hit) {
@@ -48,11 +50,12 @@ private:
     uint64_t ray_ = 0;
 };
 
-// Calls answer(search, i, ray) for every ray.
-template <class Answer>
+// Calls answer(search, i, ray) for every ray, or mark(i) for those that are not valid.
+template <class Answer, class Mark>
 void search_each(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
-                 Answer&& answer) {
-    check_rays(rays, ray_loaders(snapshot.isa()), request.scheduler);
+                 Answer&& answer, Mark&& mark) {
+    const bool marks = request.mark_invalid;
+    if (!marks) check_rays(rays, ray_loaders(snapshot.isa()), request.scheduler);
     const Accept& accept = request.selection.accept;
     const Chosen chosen(snapshot, request.selection);
     TotalCounters total;
@@ -60,8 +63,13 @@ void search_each(const scene::Snapshot& snapshot, const Rays& rays, const Reques
         HostJudge host(snapshot, accept);
         trace::Search search(snapshot.world, chosen.filter(), host.judge());
         for (uint64_t i = first; i < end; ++i) {
+            const math::Ray ray = rays.load(i);
+            if (marks && !is_valid(ray)) [[unlikely]] {
+                mark(i);
+                continue;
+            }
             host.begin_ray(i);
-            answer(search, i, rays.load(i));
+            answer(search, i, ray);
         }
         if (request.counters) total.add(search.counters());
     });
@@ -73,28 +81,35 @@ void search_each(const scene::Snapshot& snapshot, const Rays& rays, const Reques
 void search_closest(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                     const Hits& hits, const Surfaces& surfaces) {
     search_each(
-        snapshot, rays, request, [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
+        snapshot, rays, request,
+        [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
             trace::WorldHit found;
             const Hit hit =
                 search.closest(ray, rays.position(i), found) ? to_host(snapshot, found) : kMiss;
             hits.store(i, hit);
             if (surfaces) surfaces.store(i, surface_at(snapshot, hit, surfaces.fields));
-        });
+        },
+        [&](uint64_t i) { mark(i, hits, surfaces); });
 }
 
 void search_any(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                 const Strided<uint8_t>& occluded) {
-    search_each(snapshot, rays, request,
-                [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
-                    occluded.store(i, search.occluded(ray, rays.position(i)));
-                });
+    search_each(
+        snapshot, rays, request,
+        [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
+            occluded.store(i, search.occluded(ray, rays.position(i)));
+        },
+        [&](uint64_t i) { occluded.store(i, kInvalidByte); });
 }
 
 void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
               const HitLists& lists) {
+    const bool counts_all = lists.totals.data != nullptr;
     search_each(
-        snapshot, rays, request, [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
+        snapshot, rays, request,
+        [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
             const auto store = [&](uint32_t k, const trace::WorldHit& found) {
+                if (k >= lists.most) return;
                 const uint64_t place = i * lists.most + k;
                 store_hit(found.t, found.u, found.v, {found.primitive, mesh_of(snapshot, found)},
                           found.back_face, lists.hits + place * lists.stride);
@@ -102,18 +117,26 @@ void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& 
                     lists.surfaces.store(place, surface_at(snapshot, to_host(snapshot, found),
                                                            lists.surfaces.fields));
             };
-            lists.counts.store(i, search.crossings(ray, rays.position(i), lists.most, store));
+            const uint32_t count =
+                search.crossings(ray, rays.position(i), counts_all ? kAll : lists.most, store);
+            lists.counts.store(i, std::min(count, lists.most));
+            if (counts_all) lists.totals.store(i, count);
+        },
+        [&](uint64_t i) {
+            lists.counts.store(i, kInvalidCount);
+            if (counts_all) lists.totals.store(i, kInvalidCount);
         });
 }
 
 void count_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                 const Strided<uint32_t>& counts) {
-    constexpr uint32_t kAll = std::numeric_limits<uint32_t>::max();
-    search_each(snapshot, rays, request,
-                [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
-                    const auto ignore = [](uint32_t, const trace::WorldHit&) {};
-                    counts.store(i, search.crossings(ray, rays.position(i), kAll, ignore));
-                });
+    search_each(
+        snapshot, rays, request,
+        [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
+            const auto ignore = [](uint32_t, const trace::WorldHit&) {};
+            counts.store(i, search.crossings(ray, rays.position(i), kAll, ignore));
+        },
+        [&](uint64_t i) { counts.store(i, kInvalidCount); });
 }
 
 } // namespace peregrine::query

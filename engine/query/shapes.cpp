@@ -1,9 +1,11 @@
 #include "query/shapes.h"
 
 #include "query/chosen.h"
+#include "query/marks.h"
 #include "query/spread.h"
 #include "query/store_hit.h"
 #include "query/total_counters.h"
+#include "query/valid_ray.h"
 #include "query/valid_shape.h"
 #include "trace/world/shapes.h"
 
@@ -103,17 +105,17 @@ Prepared prepare(const Shape& shape, const trace::Filter& filter, const trace::W
 SweepHit sweep_one(const trace::World& world, const HitNames& names, const Sweep& record,
                    const math::Vec3d& base, const Sweep& sweep, const trace::Filter& filter,
                    bool skip_separating, const trace::Watch* watch) {
+    if (!(sweep.t_max >= 0)) return no_contact(kInfinity);
     const trace::SweepQuery query{{sweep.center, sweep.axis, sweep.direction, sweep.radius},
                                   filter,
-                                  sweep.t_max,
+                                  std::min(sweep.t_max, kLargestFloat),
                                   skip_separating,
                                   watch};
     const trace::FirstHit hit =
         trace::sweep(world, volume_of(sweep.center, sweep.direction, sweep.axis, sweep.radius),
                      {record.center, base}, query);
+    if (hit.triangle == geometry::kNoTriangle) return no_contact(hit.t);
     const HitIds ids = names.of(hit.triangle);
-    if (hit.triangle == geometry::kNoTriangle)
-        return {hit.t, Vec3(0), Vec3(0), 0, ids.triangle, ids.mesh, 0};
     return {hit.t,
             Vec3(Vec3d(record.center) + hit.contact.point),
             Vec3(hit.contact.normal),
@@ -144,16 +146,31 @@ uint32_t collect(const trace::World& world, const HitNames& names, const Prepare
     return count;
 }
 
+// A radius that is no obstacle: as good as infinite, and no larger than what there is to reach, for
+// errors that grow with it.
+float radius_within(const trace::World& world, const Point& point) {
+    if (point.radius <= 0x1p20f || world.bounds.empty()) return point.radius;
+    double square = 0;
+    for (int k = 0; k < 3; ++k) {
+        const float farthest =
+            std::max(std::fabs(world.bounds.lower[k]), std::fabs(world.bounds.upper[k]));
+        const double side = double(farthest) + std::fabs(double(point.position[k]));
+        square += side * side;
+    }
+    const double twice = std::min(2 * std::sqrt(square), double(kLargestFloat));
+    return std::min(point.radius, float(twice));
+}
+
 NearestPoint nearest_one(const trace::World& world, const HitNames& names, const Point& record,
                          const math::Vec3d& base, const Point& point, const trace::Filter& filter,
                          const trace::Watch* watch) {
-    const trace::NearestQuery query{Vec3d(point.position), filter, point.radius, watch};
-    const trace::NearestHit hit =
-        trace::nearest(world, volume_of(point.position, Vec3(0), Vec3(0), point.radius),
-                       {record.position, base}, query);
+    if (!(point.radius >= 0)) return no_point(kInfinity);
+    const float radius = radius_within(world, point);
+    const trace::NearestQuery query{Vec3d(point.position), filter, radius, watch};
+    const trace::NearestHit hit = trace::nearest(
+        world, volume_of(point.position, Vec3(0), Vec3(0), radius), {record.position, base}, query);
+    if (hit.triangle == geometry::kNoTriangle) return no_point(hit.distance);
     const HitIds ids = names.of(hit.triangle);
-    if (hit.triangle == geometry::kNoTriangle)
-        return {hit.distance, Vec3(0), Vec3(0), 0, 0, ids.triangle, ids.mesh};
     return {hit.distance,
             Vec3(Vec3d(record.position) + hit.at),
             Vec3(hit.normal),
@@ -163,19 +180,25 @@ NearestPoint nearest_one(const trace::World& world, const HitNames& names, const
             ids.mesh};
 }
 
-// Calls work(i, record i, filter, watch) for all of them.
-template <class Record, class Work>
+// Calls work(i, record i, filter, watch) for all of them, or mark(i) for those that are not valid.
+template <class Record, class Work, class Mark>
 void for_each(const scene::Snapshot& snapshot, const Placed<Record>& records,
-              const Request& request, Work&& work) {
-    check_each(records);
+              const Request& request, Work&& work, Mark&& mark) {
+    const bool marks = request.mark_invalid;
+    if (!marks) check_each(records);
     const Chosen chosen(snapshot, request.selection);
     TotalCounters total;
     spread(request.selection.accept ? nullptr : request.scheduler, records.count,
            [&](uint64_t first, uint64_t end) {
                Witness witness(snapshot, request);
                for (uint64_t i = first; i < end; ++i) {
+                   const Record record = records.load(i);
+                   if (marks && !is_valid(records, record)) [[unlikely]] {
+                       mark(i);
+                       continue;
+                   }
                    witness.begin_shape(i);
-                   work(i, records.load(i), chosen.filter(), witness.watch());
+                   work(i, record, chosen.filter(), witness.watch());
                }
                if (request.counters) total.add(witness.counters());
            });
@@ -191,43 +214,51 @@ void sweep(const scene::Snapshot& snapshot, const Placed<Sweep>& sweeps, const R
            const Strided<SweepHit>& hits) {
     const HitNames names(snapshot);
     const bool skip = request.selection.skip_separating;
-    for_each(snapshot, sweeps, request,
-             [&](uint64_t i, const Sweep& sweep, const Filter& filter, const Watch* watch) {
-                 hits.store(i, sweep_one(snapshot.world, names, sweep, sweeps.shift.by,
-                                         sweeps.moved(sweep), filter, skip, watch));
-             });
+    for_each(
+        snapshot, sweeps, request,
+        [&](uint64_t i, const Sweep& sweep, const Filter& filter, const Watch* watch) {
+            hits.store(i, sweep_one(snapshot.world, names, sweep, sweeps.shift.by,
+                                    sweeps.moved(sweep), filter, skip, watch));
+        },
+        [&](uint64_t i) { hits.store(i, no_contact(kNotANumber)); });
 }
 
 void overlap_any(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
                  const Request& request, const Strided<uint8_t>& overlaps) {
-    for_each(snapshot, shapes, request,
-             [&](uint64_t i, const Shape& shape, const Filter& filter, const Watch* watch) {
-                 const Prepared prepared = prepare(shapes.moved(shape), filter, watch);
-                 overlaps.store(i, trace::overlaps(snapshot.world, prepared.volume,
-                                                   Position{shape.center, shapes.shift.by},
-                                                   prepared.query));
-             });
+    for_each(
+        snapshot, shapes, request,
+        [&](uint64_t i, const Shape& shape, const Filter& filter, const Watch* watch) {
+            const Prepared prepared = prepare(shapes.moved(shape), filter, watch);
+            overlaps.store(i, trace::overlaps(snapshot.world, prepared.volume,
+                                              Position{shape.center, shapes.shift.by},
+                                              prepared.query));
+        },
+        [&](uint64_t i) { overlaps.store(i, kInvalidByte); });
 }
 
 void overlap_all(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,
                  const Request& request, const OverlapLists& lists) {
     const HitNames names(snapshot);
-    for_each(snapshot, shapes, request,
-             [&](uint64_t i, const Shape& shape, const Filter& filter, const Watch* watch) {
-                 const Prepared prepared = prepare(shapes.moved(shape), filter, watch);
-                 lists.counts.store(i, collect(snapshot.world, names, prepared,
-                                               {shape.center, shapes.shift.by}, lists, i));
-             });
+    for_each(
+        snapshot, shapes, request,
+        [&](uint64_t i, const Shape& shape, const Filter& filter, const Watch* watch) {
+            const Prepared prepared = prepare(shapes.moved(shape), filter, watch);
+            lists.counts.store(i, collect(snapshot.world, names, prepared,
+                                          {shape.center, shapes.shift.by}, lists, i));
+        },
+        [&](uint64_t i) { lists.counts.store(i, kInvalidCount); });
 }
 
 void nearest(const scene::Snapshot& snapshot, const Placed<Point>& points, const Request& request,
              const Strided<NearestPoint>& nearest) {
     const HitNames names(snapshot);
-    for_each(snapshot, points, request,
-             [&](uint64_t i, const Point& point, const Filter& filter, const Watch* watch) {
-                 nearest.store(i, nearest_one(snapshot.world, names, point, points.shift.by,
-                                              points.moved(point), filter, watch));
-             });
+    for_each(
+        snapshot, points, request,
+        [&](uint64_t i, const Point& point, const Filter& filter, const Watch* watch) {
+            nearest.store(i, nearest_one(snapshot.world, names, point, points.shift.by,
+                                         points.moved(point), filter, watch));
+        },
+        [&](uint64_t i) { nearest.store(i, no_point(kNotANumber)); });
 }
 
 } // namespace peregrine::query

@@ -16,7 +16,7 @@ struct Sweep {
     math::Vec3 center;
     float radius;
     math::Vec3 axis;
-    float t_max;
+    float t_max; // may be infinite; below 0: an empty way
     math::Vec3 direction;
     uint32_t reserved; // 0
 };
@@ -57,7 +57,7 @@ static_assert(sizeof(OverlapHit) == 16);
 // The layout of rt_point.
 struct Point {
     math::Vec3 position;
-    float radius;
+    float radius; // may be infinite; below 0: nothing is found
 };
 static_assert(sizeof(Point) == 16);
 
@@ -112,7 +112,8 @@ geometry::Cuboid cuboid_of(const Shape& box);
 //
 // Throw base::Error invalid_argument that names the first record, and its field, which is out of
 // range: NaN, infinite or beyond 1e30; a negative radius or size; a direction or a rotation of 0.
-// Only t_max may be infinite. Nothing is written then.
+// Ends, t_max and the radius of a point, may be anything but NaN. Nothing is written then. Or they
+// mark its results, as query.h says of rays.
 void sweep(const scene::Snapshot& snapshot, const Placed<Sweep>& sweeps, const Request& request,
            const Strided<SweepHit>& hits);
 void overlap_any(const scene::Snapshot& snapshot, const Placed<Shape>& shapes,

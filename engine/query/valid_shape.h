@@ -9,6 +9,16 @@ void check(uint64_t index, const Sweep& sweep);
 void check(uint64_t index, const Shape& shape);
 void check(uint64_t index, const Point& point);
 
+// Whether they would not throw.
+bool is_valid(const Sweep& sweep);
+bool is_valid(const Shape& shape);
+bool is_valid(const Point& point);
+
+template <class Record>
+bool is_valid(const Placed<Record>& records, const Record& record) {
+    return is_valid(record) && (!records.shift || is_valid(records.moved(record)));
+}
+
 template <class Record>
 void check_each(const Placed<Record>& records) {
     for (uint64_t i = 0; i < records.count; ++i) {

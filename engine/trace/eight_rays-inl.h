@@ -11,6 +11,7 @@
 #include "geometry/triangle.h"
 #include "trace/canonical-inl.h"
 #include "trace/filter.h"
+#include "trace/kernels.h"
 #include "trace/lanes-inl.h"
 
 #include <limits>
@@ -23,7 +24,25 @@ constexpr float kLargestFloat = std::numeric_limits<float>::max();
 struct EightHits {
     M8 lanes;
     V8 t, u, v;
-    V8u back; // 1 where the side seen is the clockwise one
+    V8u back; // kBackFaceKey where the side seen is the clockwise one, else 0
+};
+
+// Of a triangle that eight rays hit.
+HWY_INLINE HWY_ATTR V8u keys_of(uint32_t index, const EightHits& hits) {
+    return hn::Or(hn::Set(k8u, index), hits.back);
+}
+
+// What keys say once the best are known.
+struct Named {
+    V8u triangle, back_face; // kNoTriangle and 0 for a miss
+    M8 missed;
+
+    HWY_INLINE HWY_ATTR explicit Named(V8u keys) {
+        const auto none = hn::Eq(keys, hn::Set(k8u, geometry::kNoTriangle));
+        missed = hn::RebindMask(k8, none);
+        triangle = hn::IfThenElse(none, keys, hn::AndNot(hn::Set(k8u, kBackFaceKey), keys));
+        back_face = hn::IfThenZeroElse(none, hn::ShiftRight<31>(keys));
+    }
 };
 
 // What is left to decide of `maybe` once Decided is known of both halves: the lanes that are hit
@@ -37,7 +56,7 @@ HWY_INLINE HWY_ATTR EightHits join(const Decided& low, const Decided& high, V8 d
     hits.u = hn::Combine(k8, high.u, low.u);
     hits.v = hn::Combine(k8, high.v, low.v);
     const V8 det = hn::Combine(k8, high.det, low.det);
-    hits.back = hn::ShiftRight<31>(hn::BitCast(k8u, hn::Xor(det, dz)));
+    hits.back = hn::And(hn::BitCast(k8u, hn::Xor(det, dz)), hn::Set(k8u, kBackFaceKey));
     return hits;
 }
 
@@ -51,8 +70,8 @@ HWY_INLINE HWY_ATTR EightHits decide(const Sheared<V8>& s, V8 dz, M8 maybe, V8 t
 }
 
 // comes_first of trace/kernels.h, lane by lane.
-HWY_INLINE HWY_ATTR M8 comes_first(V8 t, uint32_t index, V8 best_t, V8u best) {
-    const M8 smaller = hn::RebindMask(k8, hn::Lt(hn::Set(k8u, index), best));
+HWY_INLINE HWY_ATTR M8 comes_first(V8 t, V8u key, V8 best_t, V8u best) {
+    const M8 smaller = hn::RebindMask(k8, hn::Lt(key, best));
     return hn::Or(hn::Lt(t, best_t), hn::And(hn::Eq(t, best_t), smaller));
 }
 

@@ -56,10 +56,24 @@ inline Hit miss(uint32_t steps) {
     return {std::numeric_limits<float>::infinity(), 0, 0, geometry::kNoTriangle, false, steps};
 }
 
-// Smaller t first; of equal ones the smaller index. Independent of any order of visits. `best_t` is
+// What hits of equal t go by: fronts before backs, then the smaller index. kNoTriangle is the
+// largest key; indices are below 2^31.
+constexpr uint32_t kBackFaceKey = 0x80000000u;
+constexpr uint32_t key_of(uint32_t index, bool back_face) {
+    return index | uint32_t(back_face) << 31;
+}
+
+// Smaller t first; of equal ones the smaller key. Independent of any order of visits. `best_t` is
 // the end of the ray while `best` is kNoTriangle.
-inline bool comes_first(float t, uint32_t index, float best_t, uint32_t best) {
-    return t < best_t || (t == best_t && index < best);
+inline bool comes_first(float t, uint32_t key, float best_t, uint32_t best) {
+    return t < best_t || (t == best_t && key < best);
+}
+
+// While a kernel looks for the best hit, its triangle is a key. This ends that.
+inline void name(Hit& best) {
+    if (best.triangle == geometry::kNoTriangle) return;
+    best.back_face = best.triangle >> 31;
+    best.triangle &= ~kBackFaceKey;
 }
 
 // What is known of a stream's rays; it changes the speed, not the answers.

@@ -22,17 +22,19 @@ Hit closest_in_lists(const Target& target, const uint32_t* references, const mat
             const uint32_t index = references[i];
             const auto& triangle = target.triangles[index];
             geometry::TriangleHit hit;
-            if (!geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)
-                || !comes_first(hit.t, index, sheared.t_max, best.triangle)
+            if (!geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)) continue;
+            const uint32_t key = key_of(index, hit.back_face);
+            if (!comes_first(hit.t, key, sheared.t_max, best.triangle)
                 || (Filtered && !filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v)))
                 continue;
-            best = {hit.t, hit.u, hit.v, index, hit.back_face, 0};
+            best = {hit.t, hit.u, hit.v, key, false, 0};
             sheared.t_max = hit.t;
             t_limit = std::min(t_limit, Real(hit.t));
         }
         return false;
     };
     best.steps = visit(target, slabs<Real>(target.bounds, ray, reach), leaf);
+    name(best);
     return best;
 }
 

@@ -268,6 +268,19 @@ static void print_query(void) {
     FIELD(rt_query_desc, surface_fields);
     FIELD(rt_query_desc, max_hits);
     FIELD(rt_query_desc, reserved);
+    FIELD(rt_query_desc, total_counts);
+    STRUCT(rt_resolve_desc);
+    FIELD(rt_resolve_desc, struct_size);
+    FIELD(rt_resolve_desc, flags);
+    FIELD(rt_resolve_desc, hits);
+    FIELD(rt_resolve_desc, hit_count);
+    FIELD(rt_resolve_desc, surfaces);
+    FIELD(rt_resolve_desc, hit_stride);
+    FIELD(rt_resolve_desc, surface_stride);
+    FIELD(rt_resolve_desc, surface_fields);
+    FIELD(rt_resolve_desc, reserved);
+    FIELD(rt_resolve_desc, snapshot);
+    FIELD(rt_resolve_desc, origin);
     STRUCT(rt_surface);
     FIELD(rt_surface, position);
     FIELD(rt_surface, geometric_normal);
@@ -445,6 +458,8 @@ static void print_table(void) {
     FIELD(rt_api, sweep_shapes);
     FIELD(rt_api, overlap_shapes);
     FIELD(rt_api, find_nearest);
+    FIELD(rt_api, set_mesh_user_data);
+    FIELD(rt_api, resolve_surfaces);
 }
 
 int main(void) {

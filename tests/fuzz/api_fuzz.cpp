@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -241,6 +242,7 @@ private:
             if (random_.one_in(2)) m = double(random_.number());
         check(rt_set_mesh_transform(scene_, random_.pick(meshes_), &transform));
         check(rt_set_mesh_layer_mask(scene_, random_.pick(meshes_), uint32_t(random_.bits())));
+        check(rt_set_mesh_user_data(scene_, random_.pick(meshes_), random_.bits()));
         check(rt_set_mesh_hidden(scene_, random_.pick(meshes_), random_.below(3)));
     }
 
@@ -351,7 +353,7 @@ private:
         desc.faces = rt_faces(random_.below(3));
         if (random_.one_in(2)) desc.layer_mask = uint32_t(random_.bits());
         if (random_.one_in(2)) desc.ignore_mesh = random_.pick(meshes_);
-        desc.flags = random_.below(2);
+        desc.flags = random_.below(2) | (random_.one_in(2) ? uint32_t(RT_QUERY_MARK_INVALID) : 0u);
         desc.coherence = rt_coherence(random_.below(2) * 3);
         spoil(desc, offsetof(rt_query_desc, faces), offsetof(rt_query_desc, ray_arrays));
         desc.kind = RT_QUERY_CLOSEST;
@@ -398,7 +400,8 @@ private:
         desc.hit_arrays = &out;
         require(check(rt_trace_query(scene_, &desc)) == expected, "arrays are judged differently");
         for (size_t i = 0; i < count && expected == RT_OK; ++i)
-            require(t[i] == hits[i].t && (!out.triangle || triangle[i] == hits[i].triangle),
+            require(std::memcmp(&t[i], &hits[i].t, sizeof t[i]) == 0
+                        && (!out.triangle || triangle[i] == hits[i].triangle),
                     "arrays are answered differently");
         if (count > 0 && random_.one_in(8)) in.struct_size = uint32_t(random_.bits()) | 1;
         desc.hits = random_.one_in(9) ? reinterpret_cast<rt_hit*>(&t) : nullptr;
@@ -414,6 +417,13 @@ private:
         std::vector<rt_surface> surfaces(hits.size());
         check(rt_resolve_hits(scene_, hits.data(), hits.size(), 0, surfaces.data(), 0));
         require(spoilt || last_ == RT_OK, "its own hits are refused");
+        rt_resolve_desc desc = rt_default_resolve_desc();
+        desc.flags = RT_QUERY_MARK_INVALID;
+        desc.surface_fields = uint32_t(random_.bits()) & RT_SURFACE_ALL;
+        desc.hits = hits.data();
+        desc.hit_count = hits.size();
+        desc.surfaces = surfaces.data();
+        require(rt_resolve_surfaces(scene_, &desc) == RT_OK, "hits are refused, not marked");
     }
 
     struct Moving {

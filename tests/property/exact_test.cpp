@@ -324,6 +324,10 @@ TEST(Adversary, CoincidentTriangles) {
     expect_exact(coincident(500), 500);
 }
 
+TEST(Adversary, TwoSidedTriangles) {
+    expect_exact(two_sided(400), 1000);
+}
+
 TEST(Adversary, Needles) {
     expect_exact(needles(500));
 }
@@ -384,8 +388,7 @@ TEST(Streams, OfAnyLength) {
 
 // -------------------------------------------------------------------------------------- filters
 
-TEST(Filters, EqualBruteForce) {
-    std::vector<geometry::Triangle> triangles = soup(9, 2000, 0.2f, 1);
+void expect_filtered(std::vector<geometry::Triangle> triangles) {
     for (size_t i = 0; i < triangles.size(); ++i) {
         triangles[i].mesh = uint32_t(i % 4);
         triangles[i].flags = (i % 3 == 0 ? uint32_t(geometry::kSingleSided) : 0)
@@ -410,6 +413,13 @@ TEST(Filters, EqualBruteForce) {
         return u > v;
     };
     compare_all(world, sets, filter);
+}
+
+TEST(Filters, EqualBruteForce) {
+    expect_filtered(soup(9, 2000, 0.2f, 1));
+}
+TEST(Filters, OfTwoSidedTriangles) {
+    expect_filtered(two_sided(600));
 }
 
 } // namespace

@@ -58,8 +58,8 @@ rt_hit ask_brute_force(const std::vector<Part>& parts, const std::vector<BruteFo
         const uint32_t triangle = part.triangles[hit.triangle].primitive;
         if (hit.t > best.t
             || (hit.t == best.t
-                && std::pair(part.mesh.index, triangle)
-                       > std::pair(best.mesh.index, best.triangle)))
+                && std::tuple(uint32_t(hit.back_face), part.mesh.index, triangle)
+                       > std::tuple(best.back_face, best.mesh.index, best.triangle)))
             continue;
         best = {hit.t, hit.u, hit.v, triangle, part.mesh, 0, hit.back_face};
     }
@@ -264,15 +264,43 @@ TEST_P(MovingTest, CompactMeshesToo) {
     compare(rays_per_set(150), 1);
 }
 
-// At equal t the smaller (mesh, triangle) wins, whatever structure holds it.
-TEST_P(MovingTest, TiesGoToTheSmallerMesh) {
+// At equal t a front goes before a back, then the smaller (mesh, triangle), whatever structure
+// holds them. `flipped` says which of six meshes with the same triangles are turned inside out.
+TEST_P(MovingTest, Ties) {
     const std::vector<geometry::Triangle> same_for_all = soup(uint32_t(random_()), 60, 0.4f);
-    for (const auto add_mesh : {rt_add_rigid_mesh, rt_add_dynamic_mesh, rt_add_static_mesh,
-                                rt_add_rigid_mesh, rt_add_static_mesh, rt_add_dynamic_mesh})
-        add(same_for_all, add_mesh);
+    std::vector<geometry::Triangle> inside_out = same_for_all;
+    for (geometry::Triangle& triangle : inside_out) std::swap(triangle.v1, triangle.v2);
+    for (const uint32_t flipped : {0u, 1u, 6u, 21u, 42u, 62u}) {
+        uint32_t number = 0;
+        for (const auto add_mesh : {rt_add_rigid_mesh, rt_add_dynamic_mesh, rt_add_static_mesh,
+                                    rt_add_rigid_mesh, rt_add_static_mesh, rt_add_dynamic_mesh})
+            add(flipped >> number++ & 1 ? inside_out : same_for_all, add_mesh);
+        commit();
+        compare(rays_per_set(200), 1);
+        compare(rays_per_set(200), 2, ~0u, parts_[0].mesh);
+        for (const Part& part : parts_) ASSERT_OK(rt_remove_mesh(scene_, part.mesh));
+        parts_.clear();
+    }
+}
+
+// Mirrored in x, a rigid mesh keeps its fronts, so its triangles tie with those of the others.
+TEST_P(MovingTest, TiesWithMirroredMeshes) {
+    std::vector<geometry::Triangle> triangles = soup(uint32_t(random_()), 60, 0.4f);
+    add(triangles, rt_add_static_mesh);
+    for (geometry::Triangle& triangle : triangles) {
+        for (Vec3* v : {&triangle.v0, &triangle.v1, &triangle.v2}) v->x = -v->x;
+    }
+    for (const bool flipped : {false, true}) {
+        if (flipped)
+            for (geometry::Triangle& triangle : triangles) std::swap(triangle.v1, triangle.v2);
+        add(triangles, rt_add_rigid_mesh);
+        rt_transform transform = rt_default_transform();
+        transform.m[0] = -1;
+        ASSERT_OK(rt_set_mesh_transform(scene_, parts_.back().mesh, &transform));
+        parts_.back().to_local.column[0].x = -1;
+    }
     commit();
-    compare(rays_per_set(200), 1);
-    compare(rays_per_set(200), 2, ~0u, parts_[0].mesh);
+    compare(rays_per_set(200), 7);
 }
 
 TEST_P(MovingTest, LayersAndHiddenMeshes) {

@@ -1,6 +1,8 @@
 #include "support/adversaries.h"
 
+#include <algorithm>
 #include <random>
+#include <utility>
 
 namespace peregrine::test {
 
@@ -28,6 +30,20 @@ std::vector<geometry::Triangle> lattice() {
 std::vector<geometry::Triangle> coincident(int count) {
     TriangleList list;
     for (int i = 0; i < count; ++i) list.add({0, 0, 0}, {1, 0, float(i % 3)}, {0, 1, float(i % 5)});
+    return list.triangles;
+}
+
+std::vector<geometry::Triangle> two_sided(int count) {
+    TriangleList list;
+    std::mt19937 random(9);
+    std::vector<geometry::Triangle> all = soup(14, size_t(count), 0.4f);
+    for (int i = 0; i < count; ++i) {
+        geometry::Triangle other = all[size_t(i)];
+        std::swap(other.v1, other.v2);
+        all.push_back(other);
+    }
+    std::shuffle(all.begin(), all.end(), random);
+    for (const geometry::Triangle& triangle : all) list.add(triangle.v0, triangle.v1, triangle.v2);
     return list.triangles;
 }
 

@@ -71,8 +71,11 @@ void BruteForce::test_block(const math::Ray& ray, size_t first, const trace::Fil
         const geometry::Triangle& triangle = triangles_[first + i];
         geometry::TriangleHit hit;
         if (!geometry::intersect(sheared, triangle.v0, triangle.v1, triangle.v2, hit)) continue;
-        // Triangles come in order: of equal ones the first stays.
-        if (hit.t >= best.t || !filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v))
+        // At equal t a front goes before a back. Triangles come in order: of the rest the first
+        // stays.
+        const bool loses_tie = hit.back_face || !best.back_face;
+        if (hit.t > best.t || (hit.t == best.t && loses_tie)
+            || !filter.accepts(triangle.info(), hit.back_face, hit.u, hit.v))
             continue;
         best = {hit.t, hit.u, hit.v, uint32_t(first + i), hit.back_face, 0};
     }

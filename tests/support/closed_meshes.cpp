@@ -68,6 +68,27 @@ ClosedMesh box(int n) {
     return mesh;
 }
 
+ClosedMesh uv_sphere(int rings, int sectors) {
+    ClosedMesh mesh;
+    mesh.vertices = {{0, 1, 0}, {0, -1, 0}};
+    for (int i = 1; i < rings; ++i)
+        for (int j = 0; j < sectors; ++j) {
+            const float a = 3.14159265f * float(i) / float(rings);
+            const float b = 6.2831853f * float(j) / float(sectors);
+            mesh.vertices.push_back(
+                {std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b)});
+        }
+    const auto at = [&](int i, int j) -> uint32_t {
+        return i == 0 ? 0 : i == rings ? 1 : uint32_t(2 + (i - 1) * sectors + j % sectors);
+    };
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < sectors; ++j) {
+            if (i > 0) mesh.faces.push_back({at(i, j), at(i, j + 1), at(i + 1, j)});
+            if (i + 1 < rings) mesh.faces.push_back({at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
+        }
+    return mesh;
+}
+
 ClosedMesh torus(int n) {
     ClosedMesh mesh;
     const int m = n / 2;

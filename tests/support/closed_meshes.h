@@ -15,8 +15,9 @@ struct ClosedMesh {
     std::vector<std::array<uint32_t, 3>> faces;
 };
 
-ClosedMesh icosphere(int subdivisions); // of radius 1
-ClosedMesh box(int n);                  // of n x n quads a side, from -1 to 1
-ClosedMesh torus(int n);                // n times n / 2 quads, of radii 1 and 0.4, around z
+ClosedMesh icosphere(int subdivisions);       // of radius 1
+ClosedMesh box(int n);                        // of n x n quads a side, from -1 to 1
+ClosedMesh uv_sphere(int rings, int sectors); // of radius 1, poles on y
+ClosedMesh torus(int n);                      // n times n / 2 quads, of radii 1 and 0.4, around z
 
 } // namespace peregrine::test

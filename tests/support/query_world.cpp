@@ -120,7 +120,8 @@ std::vector<query::Hit> QueryWorld::collect(const Ray& record, const math::Vec3d
         }
     }
     std::sort(found.begin(), found.end(), [](const query::Hit& a, const query::Hit& b) {
-        return std::tie(a.t, a.mesh.index, a.triangle) < std::tie(b.t, b.mesh.index, b.triangle);
+        return std::tie(a.t, a.back_face, a.mesh.index, a.triangle)
+               < std::tie(b.t, b.back_face, b.mesh.index, b.triangle);
     });
     return found;
 }

@@ -5,7 +5,7 @@
  * The way of the data:
  *     describe (rt_add_*, rt_update_*, rt_remove_*)  ->  rt_commit_scene  ->  a frozen snapshot
  *     snapshot  ->  rt_trace_query, rt_sweep_shapes, rt_overlap_shapes, rt_find_nearest,
- *                   rt_resolve_hits, rt_render_frame
+ *                   rt_resolve_hits, rt_resolve_surfaces, rt_render_frame
  * What was described after the last commit is invisible to queries and frames until the next one.
  *
  * Units: metres, radians, linear RGB radiance. Right-handed, Y up, front faces counter-clockwise.
@@ -406,6 +406,11 @@ RT_EXPORT rt_result rt_set_mesh_transform(rt_scene scene, rt_mesh mesh,
 RT_EXPORT rt_result rt_set_mesh_layer_mask(rt_scene scene, rt_mesh mesh,
                                            uint32_t layer_mask) RT_NOEXCEPT;
 
+/* Replaces rt_mesh_desc.user_data, or what an instance took over from the mesh that it was made of.
+ * Any kind of mesh; seen after the next commit. Errors: INVALID_HANDLE. */
+RT_EXPORT rt_result rt_set_mesh_user_data(rt_scene scene, rt_mesh mesh,
+                                          uint64_t user_data) RT_NOEXCEPT;
+
 /* A hidden mesh (1) is in no query and no frame from the next commit on, until it is shown (0)
  * again. Hiding or showing a static mesh makes the next commit build the static structure anew. */
 RT_EXPORT rt_result rt_set_mesh_hidden(rt_scene scene, rt_mesh mesh, uint32_t hidden) RT_NOEXCEPT;
@@ -625,21 +630,28 @@ RT_EXPORT rt_result rt_release_snapshot(rt_scene scene, rt_snapshot snapshot) RT
 
 /* -------------------------------------------------------------------------------------- query */
 
-/* A ray, or a segment: the points origin + t direction with t_min <= t <= t_max, ends included. */
+/* A ray, or a segment: the points origin + t direction with t_min <= t <= t_max, ends included.
+ * Both ends may be infinite, of either sign: no end on that side, or nothing left. What counts is
+ * what a float can name: a surface more than FLT_MAX (3.4e38) lengths of the direction away is out
+ * of reach for every kind of query. A direction of 1e-38 m reaches 3.4 m; directions of 1e-7 m and
+ * more reach everything. */
 typedef struct rt_ray {
     float origin[3];
-    float t_min;
+    float t_min; /* may be infinite */
     float direction[3];
-    float t_max; /* may be +infinity; t_max < t_min: an empty segment, never a hit */
+    float t_max; /* may be infinite; t_max < t_min: an empty segment, never a hit */
 } rt_ray;
 
 /* A miss has t = +infinity, a null mesh and triangle RT_NO_TRIANGLE. The barycentrics weigh vertex
- * 1 (u) and vertex 2 (v) of the triangle; vertex 0 weighs 1 - u - v. */
+ * 1 (u) and vertex 2 (v) of the triangle; vertex 0 weighs 1 - u - v. An instance that
+ * rt_add_mesh_instance made is a mesh of its own, so `mesh` is all it takes to tell instances
+ * apart.
+ */
 typedef struct rt_hit {
     float t, u, v;
     uint32_t triangle; /* the host's own index in the mesh */
     rt_mesh mesh;
-    uint32_t instance;  /* 0 */
+    uint32_t instance;  /* always 0, and ignored when a hit is resolved: see above */
     uint32_t back_face; /* 1 if the ray came from behind (clockwise) */
 } rt_hit;
 
@@ -647,10 +659,11 @@ typedef struct rt_hit {
 
 typedef int32_t rt_query_kind;
 enum {
-    RT_QUERY_CLOSEST = 0, /* the hit with the smallest t; of equal ones the smallest
-                             (mesh.index, triangle) */
+    RT_QUERY_CLOSEST = 0, /* the hit with the smallest t; of equal ones a front before a back, then
+                             the smallest (mesh.index, triangle) */
     RT_QUERY_ANY = 1,     /* whether there is a hit at all */
-    RT_QUERY_ALL = 2,     /* the first max_hits crossings, in ascending (t, mesh.index, triangle) */
+    RT_QUERY_ALL = 2,     /* the first max_hits crossings, in ascending (t, back_face, mesh.index,
+                             triangle): a surface is entered before it is left */
     RT_QUERY_COUNT = 3    /* how many crossings there are */
 };
 
@@ -663,11 +676,25 @@ typedef int32_t rt_faces;
 enum { RT_FACES_BOTH = 0, RT_FACES_FRONT = 1, RT_FACES_BACK = 2 };
 
 enum {
-    RT_QUERY_ALPHA_TEST = 1u << 0,     /* rays pass through where a masked material is absent */
-    RT_QUERY_USE_THREADS = 1u << 1,    /* spread a large batch over the scene's threads */
-    RT_QUERY_SKIP_SEPARATING = 1u << 2 /* sweeps: what is touched at the start does not count if the
-                                          motion goes no deeper into it */
+    RT_QUERY_ALPHA_TEST = 1u << 0,      /* rays pass through where a masked material is absent */
+    RT_QUERY_USE_THREADS = 1u << 1,     /* spread a large batch over the scene's threads */
+    RT_QUERY_SKIP_SEPARATING = 1u << 2, /* sweeps: what is touched at the start does not count if
+                                           the motion goes no deeper into it */
+    RT_QUERY_MARK_INVALID = 1u << 5     /* records that are not valid refuse no batch: see below */
 };
+
+/* A record that is not valid (a ray with a NaN, a shape with a negative radius, a hit on a mesh
+ * that is gone) refuses the whole call, which names the first and writes nothing. With
+ * RT_QUERY_MARK_INVALID the call answers the others, returns RT_OK, and marks the results of those
+ * that are not valid:
+ *     rt_hit, rt_hit_arrays       t, u and v are NaN, the rest as for a miss
+ *     rt_sweep_hit, rt_nearest    t or distance is NaN, the rest as where nothing was found
+ *     rt_surface                  position is NaN, asked for or not; the rest is zero
+ *     occluded, overlapping       RT_INVALID_BYTE
+ *     all counts                  RT_INVALID_COUNT; no hit is written
+ * It costs a look at each record, and nothing where it is not set. */
+#define RT_INVALID_BYTE 0xffu
+#define RT_INVALID_COUNT 0xffffffffu
 
 /* What the host knows of the rays of a batch. It may change the speed, never the answers. */
 typedef int32_t rt_coherence;
@@ -763,7 +790,7 @@ static inline rt_query_options rt_default_query_options(void) {
 
 /* What lies at a hit. */
 typedef struct rt_surface {
-    double position[3];        /* from the barycentrics: on the triangle to rounding */
+    double position[3];        /* from the barycentrics: on the triangle to rounding. Absolute */
     float geometric_normal[3]; /* unit; counter-clockwise side */
     float shading_normal[3];   /* unit; interpolated, without normal map */
     float texcoord[2];
@@ -812,6 +839,9 @@ typedef struct rt_query_desc {
     uint32_t surface_fields; /* RT_SURFACE_* bits */
     uint32_t max_hits;       /* ALL: at least 1 */
     uint32_t reserved;       /* 0 */
+    uint32_t* total_counts;  /* ALL: one a ray, how many crossings there are, of which hit_counts
+                                were stored; then the query takes as long as RT_QUERY_COUNT, however
+                                small max_hits is. Null: not wanted. */
 } rt_query_desc;
 
 /* Field by field: a query may be a few nanoseconds, and compilers turn memset and a copy into a
@@ -838,6 +868,7 @@ static inline rt_query_desc rt_default_query_desc(void) {
                                 0,
                                 0,
                                 0, /* max_hits */
+                                0,
                                 0};
     return desc;
 }
@@ -846,7 +877,7 @@ static inline rt_query_desc rt_default_query_desc(void) {
  * depends on the geometry and the ray alone: not on the batch, the tree, the instruction set or
  * the number of threads. Results must not overlap the rays. Starting on or inside a
  * surface: hits with t >= t_min count, whatever side they are seen from. Errors: INVALID_ARGUMENT
- * (a component that is NaN, an origin beyond 1e30 in magnitude or infinite, a direction of length
+ * (a component that is NaN, an origin beyond 1e30 in magnitude or infinite, a direction that is
  * zero or infinite; the ray is named), INVALID_HANDLE (the scene), INVALID_STRUCT, NOT_COMMITTED.
  * A stale ignore_mesh ignores nothing. Thread safety: any thread, any time. Runs on the calling
  * thread, unless RT_QUERY_USE_THREADS is set. */
@@ -858,6 +889,34 @@ RT_EXPORT rt_result rt_trace_query(rt_scene scene, const rt_query_desc* desc) RT
 RT_EXPORT rt_result rt_resolve_hits(rt_scene scene, const rt_hit* hits, uint64_t count,
                                     uint32_t hit_stride, rt_surface* out_surfaces,
                                     uint32_t surface_stride) RT_NOEXCEPT;
+
+/* rt_resolve_hits with a choice of the snapshot, of the fields, and of what positions are relative
+ * to. */
+typedef struct rt_resolve_desc {
+    uint32_t struct_size;
+    uint32_t flags; /* RT_QUERY_MARK_INVALID */
+    const rt_hit* hits;
+    uint64_t hit_count;                  /* 0 is allowed and does nothing */
+    rt_surface* surfaces;                /* one a hit */
+    uint32_t hit_stride, surface_stride; /* in bytes; 0: packed */
+    uint32_t surface_fields;             /* RT_SURFACE_* bits; others are zero */
+    uint32_t reserved;                   /* 0 */
+    rt_snapshot snapshot;                /* that the hits are of; null: the current one */
+    double origin[3]; /* positions are relative to this point; (0, 0, 0): absolute */
+} rt_resolve_desc;
+
+static inline rt_resolve_desc rt_default_resolve_desc(void) {
+    rt_resolve_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.surface_fields = RT_SURFACE_ALL;
+    return desc;
+}
+
+/* A miss, or the mark of a ray that was not valid, gives all zeros. Errors: as rt_resolve_hits
+ * (the snapshot counts that is asked), INVALID_HANDLE (a snapshot that is not held),
+ * INVALID_STRUCT, INVALID_ARGUMENT, NOT_COMMITTED. Thread safety: any thread, any time. */
+RT_EXPORT rt_result rt_resolve_surfaces(rt_scene scene, const rt_resolve_desc* desc) RT_NOEXCEPT;
 
 /* ------------------------------------------------------------------------------------- shapes */
 
@@ -871,10 +930,15 @@ RT_EXPORT rt_result rt_resolve_hits(rt_scene scene, const rt_hit* hits, uint64_t
  * the end; like a ray's, it depends on the geometry and the shape alone. Triangles of rigid meshes
  * are seen from the shape's centre in double.
  *
- * Errors of the three calls: INVALID_ARGUMENT (a component that is NaN, infinite or beyond 1e30, a
- * negative radius or extent, a direction or a rotation of length 0; the record and the field are
- * named), INVALID_HANDLE, INVALID_STRUCT, NOT_COMMITTED. Nothing is written then. Thread safety:
- * any thread, any time. They run on the calling thread, unless RT_QUERY_USE_THREADS is set. */
+ * rt_sweep.t_max and rt_point.radius are ends, as rt_ray.t_max is: +infinity means no end, and in
+ * front of an end below 0 lies nothing, so nothing is found. As for rays, t counts up to FLT_MAX
+ * (3.4e38).
+ *
+ * Errors of the three calls: INVALID_ARGUMENT (an end that is NaN; any other component that is NaN,
+ * infinite or beyond 1e30; a negative radius or extent of a shape; a direction or a rotation of
+ * length 0; the record and the field are named), INVALID_HANDLE, INVALID_STRUCT, NOT_COMMITTED.
+ * Nothing is written then. Thread safety: any thread, any time. They run on the calling thread,
+ * unless RT_QUERY_USE_THREADS is set. */
 
 /* The points within `radius` (>= 0) of the segment from centre - axis to centre + axis move along
  * t direction, 0 <= t <= t_max. An axis of zero makes it a sphere. */
@@ -882,7 +946,7 @@ typedef struct rt_sweep {
     float center[3];
     float radius;
     float axis[3];
-    float t_max;
+    float t_max;        /* may be infinite; below 0: an empty way, never a contact */
     float direction[3]; /* any length but zero */
     uint32_t reserved;  /* 0 */
 } rt_sweep;
@@ -902,7 +966,7 @@ typedef struct rt_sweep_hit {
 
 typedef struct rt_sweep_desc {
     uint32_t struct_size;
-    uint32_t flags; /* RT_QUERY_USE_THREADS, RT_QUERY_SKIP_SEPARATING */
+    uint32_t flags; /* RT_QUERY_USE_THREADS, RT_QUERY_SKIP_SEPARATING, RT_QUERY_MARK_INVALID */
     const rt_sweep* sweeps;
     uint64_t sweep_count;              /* 0 is allowed and does nothing */
     rt_sweep_hit* hits;                /* one a sweep */
@@ -946,7 +1010,7 @@ typedef struct rt_overlap {
  * says how many there are in all. Either or both. */
 typedef struct rt_overlap_desc {
     uint32_t struct_size;
-    uint32_t flags; /* RT_QUERY_USE_THREADS */
+    uint32_t flags; /* RT_QUERY_USE_THREADS, RT_QUERY_MARK_INVALID */
     const rt_shape* shapes;
     uint64_t shape_count;     /* 0 is allowed and does nothing */
     uint8_t* overlapping;     /* one a shape, 1 or 0 */
@@ -973,7 +1037,7 @@ RT_EXPORT rt_result rt_overlap_shapes(rt_scene scene, const rt_overlap_desc* des
 
 typedef struct rt_point {
     float position[3];
-    float radius; /* how far to look; >= 0, finite */
+    float radius; /* how far to look; may be infinite; below 0: nowhere, nothing is found */
 } rt_point;
 
 /* The point of a surface that is nearest. Without one, distance = +infinity, a null mesh and
@@ -989,7 +1053,7 @@ typedef struct rt_nearest {
 
 typedef struct rt_nearest_desc {
     uint32_t struct_size;
-    uint32_t flags; /* RT_QUERY_USE_THREADS */
+    uint32_t flags; /* RT_QUERY_USE_THREADS, RT_QUERY_MARK_INVALID */
     const rt_point* points;
     uint64_t point_count;                 /* 0 is allowed and does nothing */
     rt_nearest* results;                  /* one a point */
@@ -1182,6 +1246,8 @@ typedef struct rt_api {
     rt_result (*sweep_shapes)(rt_scene scene, const rt_sweep_desc* desc);
     rt_result (*overlap_shapes)(rt_scene scene, const rt_overlap_desc* desc);
     rt_result (*find_nearest)(rt_scene scene, const rt_nearest_desc* desc);
+    rt_result (*set_mesh_user_data)(rt_scene scene, rt_mesh mesh, uint64_t user_data);
+    rt_result (*resolve_surfaces)(rt_scene scene, const rt_resolve_desc* desc);
 } rt_api;
 
 /* The table for hosts that load the library by hand; look this one symbol up. `version` is the

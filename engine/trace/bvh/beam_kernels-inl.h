@@ -91,10 +91,11 @@ public:
     HWY_INLINE HWY_ATTR V8 end(uint32_t at) const { return board_.best(at); }
 
     HWY_INLINE HWY_ATTR bool take(uint32_t at, const EightHits& hits, V8 dz, uint32_t index) {
-        M8 wins = board_.find_wins(at, hits, index);
+        const V8u keys = keys_of(index, hits);
+        M8 wins = board_.find_wins(at, hits, keys);
         if (Filtered) wins = accepted(wins, filter_, target_.infos[index], hits);
         if (hn::AllFalse(k8, wins)) return false;
-        board_.record(at, wins, hits, index);
+        board_.record(at, wins, hits, keys);
         const V8 z = hn::Mul(hits.t, hn::Mul(dz, hn::Set(k8, beam_.sign)));
         HitBoard::replace(wins, z, beam_.limit + at);
         return true;
@@ -104,7 +105,7 @@ public:
         const uint32_t index = block.triangle[lane];
         geometry::TriangleHit hit;
         if (!intersect_one(rays_, beam_.first + at, board_.t(at), block, lane, hit)
-            || !board_.comes_first(at, hit.t, index)
+            || !board_.comes_first(at, hit, index)
             || (Filtered && !filter_.accepts(target_.infos[index], hit.back_face, hit.u, hit.v)))
             return false;
         board_.record_one(at, hit, index);

@@ -113,8 +113,8 @@ struct BlockRay {
         limit = hn::Add(lanes.reach, lanes.reach);
         scale = hn::CopySign(hn::Mul(hn::Set(k4, 32.0f), lanes.reach), along);
         z_min = hn::Max(hn::Mul(hn::Set(k4, ray.t_min), dz_abs), hn::Neg(limit));
-        t_min = ray.t_min;
         constexpr float kLargest = std::numeric_limits<float>::max();
+        t_min = ray.t_min > -kLargest ? ray.t_min : -kLargest;
         t_max = ray.t_max < kLargest ? ray.t_max : kLargest;
         kx = axes[0] * accel::bvh::kBlockWidth;
         ky = axes[1] * accel::bvh::kBlockWidth;

@@ -20,7 +20,8 @@ namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
 using namespace trace::HWY_NAMESPACE;
 
-// Rays count from `first` of the streams. While a ray has no hit, its t is where it ends.
+// Rays count from `first` of the streams. While a ray has no hit, its t is where it ends. Until
+// finish() triangles are keys.
 class HitBoard {
 public:
     HWY_ATTR HitBoard(const RayStream& rays, const HitStream& out, uint32_t first, uint32_t count)
@@ -40,51 +41,48 @@ public:
     HWY_INLINE HWY_ATTR V8 best(uint32_t at) const { return hn::LoadU(k8, hits_.t + at); }
 
     // Of the eight rays from `at` on those that the hits come first for.
-    HWY_INLINE HWY_ATTR M8 find_wins(uint32_t at, const EightHits& hits, uint32_t index) const {
+    HWY_INLINE HWY_ATTR M8 find_wins(uint32_t at, const EightHits& hits, V8u keys) const {
         const V8u before = hn::LoadU(k8u, hits_.triangle + at);
         return hn::And(hits.lanes,
-                       trace::HWY_NAMESPACE::comes_first(hits.t, index, best(at), before));
+                       trace::HWY_NAMESPACE::comes_first(hits.t, keys, best(at), before));
     }
 
-    HWY_INLINE HWY_ATTR void record(uint32_t at, M8 wins, const EightHits& hits, uint32_t index) {
-        const V8u triangle = hn::Set(k8u, index);
+    HWY_INLINE HWY_ATTR void record(uint32_t at, M8 wins, const EightHits& hits, V8u keys) {
         if (hn::AllTrue(k8, wins)) {
             hn::StoreU(hits.t, k8, hits_.t + at);
             hn::StoreU(hits.u, k8, hits_.u + at);
             hn::StoreU(hits.v, k8, hits_.v + at);
-            hn::StoreU(triangle, k8u, hits_.triangle + at);
-            hn::StoreU(hits.back, k8u, hits_.back_face + at);
+            hn::StoreU(keys, k8u, hits_.triangle + at);
             return;
         }
         replace(wins, hits.t, hits_.t + at);
         replace(wins, hits.u, hits_.u + at);
         replace(wins, hits.v, hits_.v + at);
-        replace(wins, triangle, hits_.triangle + at);
-        replace(wins, hits.back, hits_.back_face + at);
+        replace(wins, keys, hits_.triangle + at);
     }
 
-    bool comes_first(uint32_t at, float t, uint32_t index) const {
-        return trace::comes_first(t, index, hits_.t[at], hits_.triangle[at]);
+    bool comes_first(uint32_t at, const geometry::TriangleHit& hit, uint32_t index) const {
+        return trace::comes_first(hit.t, key_of(index, hit.back_face), hits_.t[at],
+                                  hits_.triangle[at]);
     }
     void record_one(uint32_t at, const geometry::TriangleHit& hit, uint32_t index) {
         hits_.t[at] = hit.t;
         hits_.u[at] = hit.u;
         hits_.v[at] = hit.v;
-        hits_.triangle[at] = index;
-        hits_.back_face[at] = hit.back_face;
+        hits_.triangle[at] = key_of(index, hit.back_face);
     }
 
-    // Gives misses their form.
+    // Gives keys and misses their form.
     HWY_ATTR void finish(uint32_t steps) {
         for (uint32_t i = 0; i < count_; i += kLanes8) {
             if (hits_.steps) hn::StoreU(hn::Set(k8u, steps), k8u, hits_.steps + i);
-            const M8 missed = hn::RebindMask(k8, hn::Eq(hn::LoadU(k8u, hits_.triangle + i),
-                                                        hn::Set(k8u, geometry::kNoTriangle)));
-            if (hn::AllFalse(k8, missed)) continue;
-            replace(missed, hn::Set(k8, std::numeric_limits<float>::infinity()), hits_.t + i);
-            replace(missed, hn::Zero(k8), hits_.u + i);
-            replace(missed, hn::Zero(k8), hits_.v + i);
-            replace(missed, hn::Zero(k8u), hits_.back_face + i);
+            const Named named(hn::LoadU(k8u, hits_.triangle + i));
+            hn::StoreU(named.triangle, k8u, hits_.triangle + i);
+            hn::StoreU(named.back_face, k8u, hits_.back_face + i);
+            if (hn::AllFalse(k8, named.missed)) continue;
+            replace(named.missed, hn::Set(k8, std::numeric_limits<float>::infinity()), hits_.t + i);
+            replace(named.missed, hn::Zero(k8), hits_.u + i);
+            replace(named.missed, hn::Zero(k8), hits_.v + i);
         }
     }
 

@@ -80,10 +80,11 @@ public:
     HWY_INLINE HWY_ATTR void test(const Block& block, uint32_t lane, uint32_t bundle) {
         const uint32_t index = block.triangle[lane];
         const auto take = [&](uint32_t at, const EightHits& hit) HWY_ATTR {
-            M8 wins = board_.find_wins(at, hit, index);
+            const V8u keys = keys_of(index, hit);
+            M8 wins = board_.find_wins(at, hit, keys);
             if (Filtered) wins = accepted(wins, filter_, target_.infos[index], hit);
             if (hn::AllFalse(k8, wins)) return false;
-            board_.record(at, wins, hit, index);
+            board_.record(at, wins, hit, keys);
             const uint32_t ray = pencil_.first + at;
             const V8 sign = hn::Set(k8, pencil_.sign);
             const V8 foot = hn::Mul(hn::Sub(hn::LoadU(k8, rays_.origin[pencil_.kz] + ray),
@@ -94,7 +95,7 @@ public:
             return true;
         };
         const auto take_one = [&](uint32_t at, const geometry::TriangleHit& hit) HWY_ATTR {
-            if (!board_.comes_first(at, hit.t, index)
+            if (!board_.comes_first(at, hit, index)
                 || (Filtered
                     && !filter_.accepts(target_.infos[index], hit.back_face, hit.u, hit.v)))
                 return false;

@@ -94,17 +94,18 @@ struct Plain {
         Hit best = miss(0);
         const auto test = [&](const Block& block, uint32_t lane, Real& t_limit) {
             geometry::TriangleHit hit;
-            const uint32_t index = block.triangle[lane];
-            if (!intersect(sheared, block, lane, hit)
-                || !comes_first(hit.t, index, sheared.t_max, best.triangle)
+            if (!intersect(sheared, block, lane, hit)) return false;
+            const uint32_t index = block.triangle[lane], key = key_of(index, hit.back_face);
+            if (!comes_first(hit.t, key, sheared.t_max, best.triangle)
                 || (Filtered && !filter.accepts(target.infos[index], hit.back_face, hit.u, hit.v)))
                 return false;
-            best = {hit.t, hit.u, hit.v, index, hit.back_face, 0};
+            best = {hit.t, hit.u, hit.v, key, false, 0};
             sheared.t_max = hit.t;
             t_limit = std::min(t_limit, Real(hit.t));
             return false;
         };
         best.steps = visit_triangles(target, slabs(target.bounds, ray, reach), test);
+        name(best);
         return best;
     }
 

@@ -110,17 +110,19 @@ HWY_ATTR Hit closest(const Target& target, const math::Ray& ray, const Filter& f
                 for (uint32_t hit = hits.lanes; hit; hit &= hit - 1) {
                     const uint32_t i = uint32_t(std::countr_zero(hit));
                     const uint32_t index = block->triangle[i];
-                    if (!comes_first(hits.t[i], index, t_max, best.triangle)) continue;
                     const bool back_face = hits.back_faces >> i & 1;
+                    const uint32_t key = key_of(index, back_face);
+                    if (!comes_first(hits.t[i], key, t_max, best.triangle)) continue;
                     if (Filtered
                         && !filter.accepts(target.infos[index], back_face, hits.u[i], hits.v[i]))
                         continue;
-                    best = {hits.t[i], hits.u[i], hits.v[i], index, back_face, 0};
+                    best = {hits.t[i], hits.u[i], hits.v[i], key, false, 0};
                     t_max = hits.t[i];
                 }
             }
         });
     best.steps = steps;
+    name(best);
     return best;
 }
 

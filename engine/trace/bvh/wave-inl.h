@@ -340,8 +340,9 @@ private:
             const uint32_t lane = uint32_t(__builtin_ctz(lanes));
             const uint32_t index = block.triangle[lane];
             const float t = hits.t[lane];
-            if (!Any && !comes_first(t, index, ray.t_max, ray.best)) continue;
             const bool back_face = hits.back_faces >> lane & 1;
+            const uint32_t key = key_of(index, back_face);
+            if (!Any && !comes_first(t, key, ray.t_max, ray.best)) continue;
             if (Filtered
                 && !filter_.accepts(target_.infos[index], back_face, hits.u[lane], hits.v[lane]))
                 continue;
@@ -351,7 +352,7 @@ private:
                 return;
             } else {
                 on_hit(ray.index, Hit{t, hits.u[lane], hits.v[lane], index, back_face, 0});
-                ray.best = index;
+                ray.best = key;
                 ray.t_max = t;
                 ray.t_limit = std::min(ray.t_limit, t);
             }

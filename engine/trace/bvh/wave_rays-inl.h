@@ -36,7 +36,7 @@ struct alignas(64) WaveRay {
     float ox, oy, oz, sx, sy, z_min, z_max, scale; // as in BlockRay
     uint8_t kx, ky, kz, none; // offsets of axes in a vertex of a block, in floats
     float dz, t_min, t_max;
-    uint32_t best; // triangle
+    uint32_t best; // key of the triangle
     uint32_t padding[3];
 };
 static_assert(sizeof(WaveRay) == 128);
@@ -92,7 +92,7 @@ inline HWY_ATTR Launched launch(const math::Box& bounds, const RayStream& rays, 
     const V8 smallest = hn::Mul(hn::Set(k8, 0x1p-26f), largest);
     V8 row[8], column[8];
     V8 t_near = hn::LoadU(k8, rays.t_min + first), t_far = hn::LoadU(k8, rays.t_max + first);
-    const V8 t_min = t_near;
+    const V8 t_min = hn::Max(t_near, hn::Set(k8, std::numeric_limits<float>::lowest()));
     const V8 t_max = hn::Min(t_far, hn::Set(k8, std::numeric_limits<float>::max()));
     V8 inverse[3], enter[3], leave[3];
     auto octant = hn::Zero(u8);

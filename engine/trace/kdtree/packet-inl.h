@@ -37,7 +37,8 @@ struct Packet {
             origin[k] = hn::Load(k8, rays.origin[k] + first);
             direction[k] = hn::Load(k8, rays.direction[k] + first);
         }
-        t_min = hn::Load(k8, rays.t_min + first);
+        t_min = hn::Max(hn::Load(k8, rays.t_min + first),
+                        hn::Set(k8, std::numeric_limits<float>::lowest()));
         t_max = hn::Load(k8, rays.t_max + first);
         present = hn::FirstN(k8, rays.count - first);
         find_slabs(target.bounds);
@@ -220,8 +221,7 @@ public:
           packet_(target, rays, first) {
         t_ = packet_.t_max;
         u_ = v_ = hn::Zero(k8);
-        back_ = hn::Zero(k8u);
-        triangle_ = hn::Set(k8u, geometry::kNoTriangle);
+        key_ = hn::Set(k8u, geometry::kNoTriangle);
     }
 
     HWY_ATTR void trace(const HitStream& hits) {
@@ -253,28 +253,23 @@ private:
         const geometry::Triangle& triangle = target_.triangles[index];
         EightHits hit;
         if (!intersect(sheared, triangle, active, packet_.t_min, t_, hit)) return;
-        M8 wins = hn::And(hit.lanes, comes_first(hit.t, index, t_, triangle_));
+        const V8u keys = keys_of(index, hit);
+        M8 wins = hn::And(hit.lanes, comes_first(hit.t, keys, t_, key_));
         if (Filtered) wins = accepted(wins, filter_, triangle.info(), hit);
         t_ = hn::IfThenElse(wins, hit.t, t_);
         u_ = hn::IfThenElse(wins, hit.u, u_);
         v_ = hn::IfThenElse(wins, hit.v, v_);
-        const auto uwins = hn::RebindMask(k8u, wins);
-        back_ = hn::IfThenElse(uwins, hit.back, back_);
-        triangle_ = hn::IfThenElse(uwins, hn::Set(k8u, index), triangle_);
-    }
-
-    HWY_ATTR M8 first_hits() const {
-        return hn::RebindMask(k8, hn::Eq(triangle_, hn::Set(k8u, geometry::kNoTriangle)));
+        key_ = hn::IfThenElse(hn::RebindMask(k8u, wins), keys, key_);
     }
 
     HWY_ATTR void store(const HitStream& hits, uint32_t steps) const {
-        const M8 missed = first_hits();
+        const Named named(key_);
         const V8 infinity = hn::Set(k8, std::numeric_limits<float>::infinity());
-        hn::Store(hn::IfThenElse(missed, infinity, t_), k8, hits.t + first_);
+        hn::Store(hn::IfThenElse(named.missed, infinity, t_), k8, hits.t + first_);
         hn::Store(u_, k8, hits.u + first_);
         hn::Store(v_, k8, hits.v + first_);
-        hn::Store(triangle_, k8u, hits.triangle + first_);
-        hn::Store(back_, k8u, hits.back_face + first_);
+        hn::Store(named.triangle, k8u, hits.triangle + first_);
+        hn::Store(named.back_face, k8u, hits.back_face + first_);
         if (hits.steps) hn::Store(hn::Set(k8u, steps), k8u, hits.steps + first_);
     }
 
@@ -301,7 +296,7 @@ private:
     size_t first_;
     Packet packet_;
     V8 t_, u_, v_;
-    V8u back_, triangle_;
+    V8u key_; // of the best triangles
 };
 
 template <bool Filtered>

@@ -15,9 +15,11 @@ struct WorldHit {
     bool back_face;
 };
 
-// The order of all answers: the smaller t, then the smaller (mesh, primitive).
+// The order of all answers: the smaller t, then fronts before backs, then the smaller (mesh,
+// primitive).
 inline bool goes_before(const WorldHit& a, const WorldHit& b) {
     if (a.t != b.t) return a.t < b.t;
+    if (a.back_face != b.back_face) return b.back_face;
     return a.mesh < b.mesh || (a.mesh == b.mesh && a.primitive < b.primitive);
 }
 

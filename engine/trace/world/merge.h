@@ -27,14 +27,21 @@ inline Filter filter_within(const Filter& filter, const Instance& instance) {
     return within;
 }
 
-// Whether a hit of one part goes before that of another: the smaller t, then the smaller (mesh,
-// triangle). Both numbers count through the world; `best` may be a miss.
-inline bool goes_before(const World& world, float t, uint32_t triangle, float best_t,
-                        uint32_t best) {
-    if (triangle == geometry::kNoTriangle || t > best_t) return false;
-    if (t < best_t || best == geometry::kNoTriangle) return true;
+// Whether the name (mesh, triangle) of one is smaller. Both numbers count through the world; `best`
+// may be kNoTriangle.
+inline bool is_named_before(const World& world, uint32_t triangle, uint32_t best) {
+    if (best == geometry::kNoTriangle) return true;
     const geometry::TriangleInfo a = info(world, triangle), b = info(world, best);
     return a.mesh < b.mesh || (a.mesh == b.mesh && a.primitive < b.primitive);
+}
+
+// Whether a ray's hit in one part goes before that in another, which may be a miss: the smaller t,
+// then fronts before backs, then the smaller name.
+inline bool goes_before(const World& world, float t, bool back_face, uint32_t triangle,
+                        float best_t, bool best_back_face, uint32_t best) {
+    if (t != best_t) return t < best_t;
+    if (best != geometry::kNoTriangle && back_face != best_back_face) return best_back_face;
+    return is_named_before(world, triangle, best);
 }
 
 } // namespace peregrine::trace

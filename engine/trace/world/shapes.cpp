@@ -165,14 +165,16 @@ void take_first(const World& world, FirstHit hit, uint32_t first, FirstHit& best
     if (hit.triangle == geometry::kNoTriangle) return;
     hit.triangle += first;
     const int order = hit.compare(best);
-    if (order < 0 || (order == 0 && goes_before(world, hit.t, hit.triangle, best.t, best.triangle)))
+    if (order < 0 || (order == 0 && is_named_before(world, hit.triangle, best.triangle)))
         best = hit;
 }
 
 void take_first(const World& world, NearestHit hit, uint32_t first, NearestHit& best) {
     if (hit.triangle == geometry::kNoTriangle) return;
     hit.triangle += first;
-    if (goes_before(world, hit.distance, hit.triangle, best.distance, best.triangle)) best = hit;
+    if (hit.distance != best.distance ? hit.distance < best.distance
+                                      : is_named_before(world, hit.triangle, best.triangle))
+        best = hit;
 }
 
 // What limits the search of the next part: the best so far, without its triangle, so that equals

@@ -12,7 +12,9 @@ void take_first(const World& world, Hit hit, uint32_t first, Hit& best) {
     best.steps += hit.steps;
     if (hit.triangle == geometry::kNoTriangle) return;
     hit.triangle += first;
-    if (!goes_before(world, hit.t, hit.triangle, best.t, best.triangle)) return;
+    if (!goes_before(world, hit.t, hit.back_face, hit.triangle, best.t, best.back_face,
+                     best.triangle))
+        return;
     hit.steps = best.steps;
     best = hit;
 }

@@ -136,7 +136,8 @@ public:
             if (hits_.steps) hits_.steps[to] += found_.steps[i];
             if (found_.triangle[i] == geometry::kNoTriangle) continue;
             const uint32_t triangle = found_.triangle[i] + part.first;
-            if (!goes_before(world, found_.t[i], triangle, hits_.t[to], hits_.triangle[to]))
+            if (!goes_before(world, found_.t[i], found_.back_face[i] != 0, triangle, hits_.t[to],
+                             hits_.back_face[to] != 0, hits_.triangle[to]))
                 continue;
             hits_.t[to] = gate.t_max[to] = found_.t[i];
             hits_.u[to] = found_.u[i];
