@@ -22,10 +22,8 @@ void resolve(const HostScene& host, const rt_resolve_desc& desc) {
                                 "rt_resolve_desc.surfaces", "rt_resolve_desc.surface_stride");
     const auto pin = pin_snapshot(host.scene.snapshots, desc.snapshot);
     query::resolve(require_snapshot(pin, desc.snapshot), hits,
-                   {surfaces.data,
-                    surfaces.stride,
-                    desc.surface_fields,
-                    {desc.origin[0], desc.origin[1], desc.origin[2]}},
+                   {surfaces.data, surfaces.stride, desc.surface_fields},
+                   {desc.origin[0], desc.origin[1], desc.origin[2]},
                    (desc.flags & RT_QUERY_MARK_INVALID) != 0);
 }
 

@@ -3,6 +3,7 @@
 #include "geometry/triangle.h"
 #include "math/ray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -65,7 +66,7 @@ inline ShearedRay shear(const math::Ray& ray) {
             kx,
             ky,
             kz,
-            std::fmax(ray.t_min, -kLargest),
+            std::max(ray.t_min, -kLargest),
             std::fmin(ray.t_max, kLargest)};
 }
 

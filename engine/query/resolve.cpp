@@ -73,14 +73,14 @@ Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit, uint32_t fie
 }
 
 void resolve(const scene::Snapshot& snapshot, const Strided<Hit>& hits, const Surfaces& surfaces,
-             bool mark_invalid) {
+             const math::Vec3d& origin, bool mark_invalid) {
     if (!mark_invalid)
         for (uint64_t i = 0; i < hits.count; ++i) check(snapshot, hits.load(i), i);
     for (uint64_t i = 0; i < hits.count; ++i) {
         const Hit hit = hits.load(i);
         const bool is_marked = mark_invalid && !is_valid(snapshot, hit);
         surfaces.store(i, is_marked ? invalid_surface()
-                                    : surface_at(snapshot, hit, surfaces.fields, surfaces.origin));
+                                    : surface_at(snapshot, hit, surfaces.fields, origin));
     }
 }
 

@@ -37,7 +37,6 @@ struct Surfaces {
     std::byte* data = nullptr;
     uint32_t stride = 0;
     uint32_t fields = kAllFields;
-    math::Vec3d origin{0}; // that positions are relative to
 
     explicit operator bool() const { return data != nullptr; }
     void store(uint64_t i, const Surface& surface) const {
@@ -47,8 +46,9 @@ struct Surfaces {
 
 // Throws base::Error if a hit names a mesh that the snapshot lacks or a triangle that the mesh
 // lacks; nothing is written then. Or marks its surface (marks.h). A miss resolves to zeros.
+// Positions are relative to `origin`.
 void resolve(const scene::Snapshot& snapshot, const Strided<Hit>& hits, const Surfaces& surfaces,
-             bool mark_invalid = false);
+             const math::Vec3d& origin = math::Vec3d(0), bool mark_invalid = false);
 
 // ... of a hit that the snapshot gave, or of a miss.
 Surface surface_at(const scene::Snapshot& snapshot, const Hit& hit, uint32_t fields,

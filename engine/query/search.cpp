@@ -102,14 +102,17 @@ void search_any(const scene::Snapshot& snapshot, const Rays& rays, const Request
         [&](uint64_t i) { occluded.store(i, kInvalidByte); });
 }
 
-void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
-              const HitLists& lists) {
-    const bool counts_all = lists.totals.data != nullptr;
+namespace {
+
+// `Counted`: to the end of each ray, for lists.totals.
+template <bool Counted>
+void list_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+               const HitLists& lists) {
     search_each(
         snapshot, rays, request,
         [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
             const auto store = [&](uint32_t k, const trace::WorldHit& found) {
-                if (k >= lists.most) return;
+                if (Counted && k >= lists.most) return;
                 const uint64_t place = i * lists.most + k;
                 store_hit(found.t, found.u, found.v, {found.primitive, mesh_of(snapshot, found)},
                           found.back_face, lists.hits + place * lists.stride);
@@ -118,14 +121,22 @@ void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& 
                                                            lists.surfaces.fields));
             };
             const uint32_t count =
-                search.crossings(ray, rays.position(i), counts_all ? kAll : lists.most, store);
-            lists.counts.store(i, std::min(count, lists.most));
-            if (counts_all) lists.totals.store(i, count);
+                search.crossings(ray, rays.position(i), Counted ? kAll : lists.most, store);
+            lists.counts.store(i, Counted ? std::min(count, lists.most) : count);
+            if (Counted) lists.totals.store(i, count);
         },
         [&](uint64_t i) {
             lists.counts.store(i, kInvalidCount);
-            if (counts_all) lists.totals.store(i, kInvalidCount);
+            if (Counted) lists.totals.store(i, kInvalidCount);
         });
+}
+
+} // namespace
+
+void all_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
+              const HitLists& lists) {
+    lists.totals.data ? list_hits<true>(snapshot, rays, request, lists)
+                      : list_hits<false>(snapshot, rays, request, lists);
 }
 
 void count_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,

@@ -64,7 +64,7 @@ protected:
 
     double read(const Lamp& lamp) {
         LightMeter meter(std::span(&lamp, 1));
-        return meter.measure(arena_.world(), {0, 1e-4, 0});
+        return meter.measure(arena_.world(), {0, 1e-4, 0}, {});
     }
 
     Arena arena_;
