@@ -31,7 +31,7 @@ struct Selection {
     trace::Coherence coherence = trace::Coherence::automatic;
     std::span<const base::Handle> ignore_meshes; // beside ignore_mesh; null and stale ones: nothing
     Accept accept;
-    bool skip_separating = false; // sweeps: initial contacts that do not get deeper do not count
+    bool skip_separating = false; // sweeps: of shapes that slide (geometry/shapes/slide.h)
 };
 
 // A query apart from its rays and results.

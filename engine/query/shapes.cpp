@@ -104,16 +104,16 @@ Prepared prepare(const Shape& shape, const trace::Filter& filter, const trace::W
 // `record` is as the host placed it, relative to `base`, and so is the answer.
 SweepHit sweep_one(const trace::World& world, const HitNames& names, const Sweep& record,
                    const math::Vec3d& base, const Sweep& sweep, const trace::Filter& filter,
-                   bool skip_separating, const trace::Watch* watch) {
+                   bool slides, const trace::Watch* watch) {
     if (!(sweep.t_max >= 0)) return no_contact(kInfinity);
     const trace::SweepQuery query{{sweep.center, sweep.axis, sweep.direction, sweep.radius},
                                   filter,
                                   std::min(sweep.t_max, kLargestFloat),
-                                  skip_separating,
                                   watch};
-    const trace::FirstHit hit =
-        trace::sweep(world, volume_of(sweep.center, sweep.direction, sweep.axis, sweep.radius),
-                     {record.center, base}, query);
+    const trace::Volume volume = volume_of(sweep.center, sweep.direction, sweep.axis, sweep.radius);
+    const trace::Position position{record.center, base};
+    const trace::FirstHit hit = slides ? trace::slide(world, volume, position, query)
+                                       : trace::sweep(world, volume, position, query);
     if (hit.triangle == geometry::kNoTriangle) return no_contact(hit.t);
     const HitIds ids = names.of(hit.triangle);
     return {hit.t,
@@ -213,12 +213,12 @@ using Watch = trace::Watch;
 void sweep(const scene::Snapshot& snapshot, const Placed<Sweep>& sweeps, const Request& request,
            const Strided<SweepHit>& hits) {
     const HitNames names(snapshot);
-    const bool skip = request.selection.skip_separating;
+    const bool slides = request.selection.skip_separating;
     for_each(
         snapshot, sweeps, request,
         [&](uint64_t i, const Sweep& sweep, const Filter& filter, const Watch* watch) {
             hits.store(i, sweep_one(snapshot.world, names, sweep, sweeps.shift.by,
-                                    sweeps.moved(sweep), filter, skip, watch));
+                                    sweeps.moved(sweep), filter, slides, watch));
         },
         [&](uint64_t i) { hits.store(i, no_contact(kNotANumber)); });
 }

@@ -198,8 +198,15 @@ std::vector<geometry::Triangle> in_the_world(const std::vector<MeshToAdd>& meshe
     return all;
 }
 
+// Everything, and what slides.
+std::vector<Choice> usual_choices() {
+    std::vector<Choice> choices(2);
+    choices[1].selection.skip_separating = true;
+    return choices;
+}
+
 void compare_all(const std::vector<MeshToAdd>& meshes, size_t count,
-                 const std::vector<Choice>& choices = {{}},
+                 const std::vector<Choice>& choices = usual_choices(),
                  const math::Vec3d& base = math::Vec3d(0)) {
     Asked asked = make_cases(in_the_world(meshes, base), count, 21);
     asked.base = base;

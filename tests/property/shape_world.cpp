@@ -1,9 +1,10 @@
 #include "shape_world.h"
 
-#include "geometry/shapes/sweep.h"
+#include "geometry/shapes/slide.h"
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace peregrine::test {
 
@@ -49,6 +50,20 @@ void ShapeWorld::commit() {
     pin_ = std::make_unique<scene::SnapshotStore::Pin>(scene_->snapshots);
 }
 
+double ShapeMesh::coordinate(const geometry::Triangle& t) const {
+    double largest = 0;
+    for (const Vec3& v : {t.v0, t.v1, t.v2}) {
+        const Vec3d size = glm::abs(Vec3d(v));
+        for (int k = 0; k < 3; ++k)
+            largest = std::max(largest, kind != scene::MeshKind::rigid
+                                            ? size[k]
+                                            : (std::fabs(to_world.column[0][k]) * size.x
+                                               + std::fabs(to_world.column[1][k]) * size.y)
+                                                  + std::fabs(to_world.column[2][k]) * size.z);
+    }
+    return largest;
+}
+
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -90,16 +105,41 @@ bool sees_centre(const query::Selection& selection, const geometry::Corners& cor
     return sees(selection, front < 0 ? -1 : 1);
 }
 
+// Whether it stops what slides, with everything that touches its point, and the normal.
+bool stops(const std::vector<ShapeMesh>& meshes, const geometry::Sweep& test, double t_max,
+           const query::Selection& selection, const trace::Position& position,
+           const geometry::Tile& tile, geometry::Contact& contact) {
+    geometry::Slide slide(test, t_max, tile, contact);
+    while (slide.is_open()) {
+        for_each_triangle(
+            meshes, selection, {test.center + contact.point, slide.reach(), Vec3d(0), 0}, position,
+            [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
+                const geometry::Corners& corners, double side) {
+                const geometry::Tile other({corners.a, corners.b, corners.c, contact.point},
+                                           mesh.coordinate(triangle));
+                const double rate = glm::dot(other.face.normal, slide.direction());
+                if (std::fabs(rate) <= other.slack() * other.length
+                    || sees(selection, -side * rate))
+                    slide.look_at(other);
+            });
+        slide.settle();
+    }
+    contact.normal = slide.normal();
+    return slide.stops();
+}
+
 } // namespace
 
 query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::Sweep& sweep,
                             const query::Selection& selection, const Vec3d& base) {
     query::SweepHit best{kInfinity, Vec3(0), Vec3(0), 0, geometry::kNoTriangle, {}, 0};
     const geometry::Sweep test(sweep.center, sweep.axis, sweep.direction, sweep.radius);
+    std::tuple first(true, kInfinity, 0.0f);
+    const trace::Position position{sweep.center, base};
     for_each_triangle(meshes, selection,
                       {Vec3d(sweep.center), double(sweep.radius) + length(sweep.axis),
                        Vec3d(sweep.direction), sweep.t_max},
-                      {sweep.center, base},
+                      position,
                       [&](const ShapeMesh& mesh, const geometry::Triangle& triangle,
                           const geometry::Corners& corners, double side) {
                           geometry::Contact contact;
@@ -107,15 +147,14 @@ query::SweepHit brute_sweep(const std::vector<ShapeMesh>& meshes, const query::S
                               || !sees(selection, -side * contact.rate)
                               || !(float(contact.t) <= sweep.t_max))
                               return;
-                          if (selection.skip_separating && contact.initial
-                              && glm::dot(Vec3d(sweep.direction), contact.normal) >= 0)
-                              return;
                           const auto t = float(contact.t), depth = float(contact.depth);
-                          const bool is_better = contact.initial != (best.initial_contact != 0)
-                                                     ? contact.initial
-                                                 : contact.initial ? depth > best.depth
-                                                                   : t < best.t;
-                          if (!is_better) return;
+                          const auto place = std::tuple(!contact.initial, t, -depth);
+                          if (!(place < first)) return;
+                          if (selection.skip_separating
+                              && !stops(meshes, test, sweep.t_max, selection, position,
+                                        {corners, mesh.coordinate(triangle)}, contact))
+                              return;
+                          first = place;
                           best = {t,
                                   Vec3(Vec3d(sweep.center) + contact.point),
                                   Vec3(contact.normal),

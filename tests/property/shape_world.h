@@ -47,6 +47,8 @@ struct ShapeMesh {
         return {seen(t.v0), seen(t.v1), seen(t.v2), math::Vec3d(0)};
     }
     bool mirrored() const { return math::determinant(to_world) < 0; }
+    // The largest coordinate that a vertex has in the mesh, as long as it is in the world.
+    double coordinate(const geometry::Triangle& t) const;
 };
 
 class ShapeWorld {

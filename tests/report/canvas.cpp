@@ -78,7 +78,7 @@ void Canvas::write(const std::string& path) const {
         const uint8_t rgba[] = {byte(pixel.r), byte(pixel.g), byte(pixel.b), 255};
         bytes.insert(bytes.end(), rgba, rgba + 4);
     }
-    host::write_png(path, width_, height_, bytes);
+    host::write_picture_file(path, width_, height_, bytes);
 }
 
 } // namespace peregrine::report

@@ -382,9 +382,10 @@ RT_EXPORT rt_result rt_add_mesh_instance(rt_scene scene, rt_mesh mesh,
 /* Where a mesh stands: p' = (m[0] x + m[1] y + m[2] z + m[3],
  *                            m[4] x + m[5] y + m[6] z + m[7],
  *                            m[8] x + m[9] y + m[10] z + m[11]), any invertible affine map.
- * Rays and shapes are taken before the mesh in double (record, rt_query_options.origin, camera), and
- * rounded to float in its own space, so a mesh keeps its precision wherever it stands, as long as
- * they are told relative to a point near it. Front faces stay front faces under a mirroring map. */
+ * Rays and shapes are taken before the mesh in double (record, rt_query_options.origin, camera),
+ * and rounded to float in its own space, so a mesh keeps its precision wherever it stands, as long
+ * as they are told relative to a point near it. Front faces stay front faces under a mirroring map.
+ */
 typedef struct rt_transform {
     double m[12];
 } rt_transform;
@@ -678,9 +679,10 @@ enum { RT_FACES_BOTH = 0, RT_FACES_FRONT = 1, RT_FACES_BACK = 2 };
 enum {
     RT_QUERY_ALPHA_TEST = 1u << 0,      /* rays pass through where a masked material is absent */
     RT_QUERY_USE_THREADS = 1u << 1,     /* spread a large batch over the scene's threads */
-    RT_QUERY_SKIP_SEPARATING = 1u << 2, /* sweeps: what is touched at the start does not count if
-                                           the motion goes no deeper into it */
-    RT_QUERY_MARK_INVALID = 1u << 5     /* records that are not valid refuse no batch: see below */
+    RT_QUERY_SKIP_SEPARATING = 1u << 2, /* sweeps of what slides: what is touched, at the start or
+                                           later, does not count if the motion goes no deeper into
+                                           it. See rt_sweep_shapes. */
+    RT_QUERY_MARK_INVALID = 1u << 3     /* records that are not valid refuse no batch: see below */
 };
 
 /* A record that is not valid (a ray with a NaN, a shape with a negative radius, a hit on a mesh
@@ -956,7 +958,8 @@ typedef struct rt_sweep_hit {
     float t;         /* time of impact in lengths of the direction; 0 for an initial contact */
     float point[3];  /* of contact, on the triangle */
     float normal[3]; /* unit, from the surface to the shape; the face's own, against the direction,
-                        where the axis itself touches */
+                        where the axis itself touches; for RT_QUERY_SKIP_SEPARATING see
+                        rt_sweep_shapes */
     float depth;     /* initial contact: how deep the shape is in, radius - distance; otherwise 0 */
     uint32_t triangle; /* of equal ones the smallest (mesh.index, triangle) */
     rt_mesh mesh;
@@ -985,7 +988,16 @@ static inline rt_sweep_desc rt_default_sweep_desc(void) {
     return desc;
 }
 
-/* When, where and against what moving spheres and capsules run. */
+/* When, where and against what moving spheres and capsules run.
+ *
+ * With RT_QUERY_SKIP_SEPARATING a contact counts only if the motion goes against its normal, by a
+ * sine of more than 2^-18 and what rounding its vertices to float may have turned the triangle by
+ * (up to 2^-10). A shape that is a bit inside of a surface is not stopped by the edges and corners
+ * of triangles that lie in it: where another triangle at the point of contact is in the way of the
+ * normal (it may be of another mesh; the query must see it), the normal is that of the surface
+ * there. In a flat surface that is the face's own, in a hollow the triangle's own; at the upper
+ * edge of a wall below a floor it is the floor's. t, point and depth stay those of the contact.
+ * First touches of a shape that is clear of everything keep their normals. */
 RT_EXPORT rt_result rt_sweep_shapes(rt_scene scene, const rt_sweep_desc* desc) RT_NOEXCEPT;
 
 typedef uint32_t rt_shape_kind;

@@ -115,15 +115,13 @@ inline Volume thinned(const Volume& volume, double by) {
     return thinner;
 }
 
-HWY_ATTR void sweep_shape(const Target& target, const Place& place, const Volume& volume,
-                          const SweepQuery& query, FirstHit& best) {
-    if (target.bounds.empty()) return;
-    const double reach = reach_of(target.bounds, volume);
-    if (!fits_filters(volume, reach)) [[unlikely]]
-        return kPlainShapesOfBlocks.sweep(target, place, volume, query, best);
+// Looks for a contact before `best`, and before what `sure` triangles are touched at the latest.
+// Returns that time.
+HWY_INLINE HWY_ATTR float sweep_until(const Target& target, const Place& place,
+                                      const Volume& volume, double reach, const SweepQuery& query,
+                                      uint32_t sure, FirstHit& best) {
     MovingGate gate(volume, reach);
     SweepFilter filter(volume);
-    const uint32_t sure = is_plain(query, place) ? 15 : 0;
     Candidates candidates;
     Mailbox mailbox;
     float t_max = best.limit(query.t_max);
@@ -163,6 +161,18 @@ HWY_ATTR void sweep_shape(const Target& target, const Place& place, const Volume
             return visit_blocks(target, leaf, look);
         });
     candidates.settle(t_max, decide);
+    return t_max;
+}
+
+HWY_ATTR void sweep_shape(const Target& target, const Place& place, const Volume& volume,
+                          const SweepQuery& query, FirstHit& best) {
+    if (target.bounds.empty()) return;
+    const double reach = reach_of(target.bounds, volume);
+    if (!fits_filters(volume, reach)) [[unlikely]]
+        return kPlainShapesOfBlocks.sweep(target, place, volume, query, best);
+    uint32_t sure = is_plain(query, place) ? 15 : 0;
+    while (sweep_until(target, place, volume, reach, query, sure, best) < best.limit(query.t_max))
+        sure = 0; // what was touched for sure did not stop a slide
 }
 
 // A ball at rest, and the distances of four triangles from its centre.
@@ -329,8 +339,20 @@ HWY_ATTR void nearest_triangle(const Target& target, const Place& place, const V
     candidates.settle(limit, decide);
 }
 
+HWY_ATTR void surround_point(const Target& target, const Place& place, const Volume& volume,
+                             const SeamQuery& query, geometry::Slide& slide) {
+    if (target.bounds.empty()) return;
+    const double reach = reach_of(target.bounds, volume);
+    if (!fits_filters(volume, reach)) [[unlikely]]
+        return kPlainShapesOfBlocks.surround(target, place, volume, query, slide);
+    visit_ball(target, volume, reach, false, [&](const Block& block, uint32_t lane, bool) {
+        judge(query, place, vertices_of(block, lane), target.infos[block.triangle[lane]], slide);
+        return false;
+    });
+}
+
 [[maybe_unused]] constexpr ShapeKernels kShapes = {sweep_shape, overlaps_shape, collect_touched,
-                                                   nearest_triangle};
+                                                   nearest_triangle, surround_point};
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -12,6 +12,9 @@ struct Vertices {
         return {place.point(v0), place.point(v1), place.point(v2),
                 place.to_world ? place.center : center};
     }
+    double coordinate(const Place& place) const {
+        return std::max(std::max(place.coordinate(v0), place.coordinate(v1)), place.coordinate(v2));
+    }
 };
 
 inline uint64_t key_of(const Place& place, const geometry::TriangleInfo& triangle) {
@@ -34,6 +37,20 @@ inline double facing(const Place& place, const geometry::Face& face) {
     return front < 0 ? -1 : 1;
 }
 
+// Whether a contact stops what slides, and with which normal.
+inline bool stops(const SweepQuery& query, const Place& place, const Vertices& vertices,
+                  geometry::Contact& contact) {
+    const geometry::Tile tile(vertices.around(place, query.sweep.center),
+                              vertices.coordinate(place));
+    geometry::Slide slide(query.sweep, double(query.t_max), tile, contact);
+    while (slide.is_open()) {
+        query.surroundings->show(*query.surroundings, slide);
+        slide.settle();
+    }
+    contact.normal = slide.normal();
+    return slide.stops();
+}
+
 inline void judge(const SweepQuery& query, const Place& place, const Vertices& vertices,
                   const geometry::TriangleInfo* infos, uint32_t index, FirstHit& best) {
     FirstHit hit;
@@ -47,12 +64,25 @@ inline void judge(const SweepQuery& query, const Place& place, const Vertices& v
     hit.depth = float(contact.depth);
     hit.triangle = index;
     if (!(hit.t <= query.t_max) || !hit.comes_before(best)) return;
-    if (contact.initial && query.skip_separating
-        && !(glm::dot(query.sweep.motion.direction, contact.normal) < 0))
-        return;
     if (counts(query.filter, infos[index], place.mirrored ? contact.rate : -contact.rate)
+        && (!query.surroundings || stops(query, place, vertices, contact))
         && is_accepted(query, place, infos[index]))
         best = hit;
+}
+
+// Of the faces that do not count, only those take no part that the motion clearly goes against or
+// away from: along a floor that is a matter of rounding.
+inline void judge(const SeamQuery& query, const Place& place, const Vertices& vertices,
+                  const geometry::TriangleInfo& info, geometry::Slide& slide) {
+    const geometry::Corners start = vertices.around(place, query.center);
+    const geometry::Corners corners(start.a, start.b, start.c, slide.point());
+    if (!slide.may_rise(corners)) return;
+    const geometry::Tile tile(corners, vertices.coordinate(place));
+    const double rate = glm::dot(tile.face.normal, slide.direction());
+    const bool is_along = std::fabs(rate) <= tile.slack() * tile.length;
+    const bool takes_part = is_along ? query.filter.sees_mesh(info)
+                                     : counts(query.filter, info, place.mirrored ? rate : -rate);
+    if (takes_part && is_accepted(query, place, info)) slide.look_at(tile);
 }
 
 inline bool judge(const OverlapQuery& query, const Place& place, const Vertices& vertices,

@@ -63,6 +63,14 @@ public:
         }
     }
 
+    static void surround(const Target& target, const Place& place, const Volume& volume,
+                         const SeamQuery& query, geometry::Slide& slide) {
+        visit(target, volume, query.watch, 0, [&](const Vertices& vertices, uint32_t index, auto&) {
+            judge(query, place, vertices, target.infos[index], slide);
+            return false;
+        });
+    }
+
 private:
     template <class Visit>
     static void visit(const Target& target, const Volume& volume, const Watch* watch, float t_max,
@@ -85,6 +93,7 @@ private:
 template <class Structure>
 inline constexpr ShapeKernels kPlainShapes = {
     PlainShapes<Structure>::sweep, PlainShapes<Structure>::overlaps,
-    PlainShapes<Structure>::collect, PlainShapes<Structure>::nearest};
+    PlainShapes<Structure>::collect, PlainShapes<Structure>::nearest,
+    PlainShapes<Structure>::surround};
 
 } // namespace peregrine::trace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/shapes/overlap.h"
+#include "geometry/shapes/slide.h"
 #include "geometry/shapes/sweep.h"
 #include "geometry/triangle.h"
 #include "math/affine.h"
@@ -25,6 +26,17 @@ struct Place {
     // Relative to its own origin, turned as in the world.
     math::Vec3d point(const math::Vec3& v) const {
         return to_world ? to_world->vector(math::Vec3d(v)) : math::Vec3d(v);
+    }
+
+    // A vertex's largest coordinate in its own space, as long as it is in the world.
+    double coordinate(const math::Vec3& v) const {
+        const math::Vec3d size = glm::abs(math::Vec3d(v));
+        const math::Vec3d image =
+            to_world
+                ? (glm::abs(to_world->column[0]) * size.x + glm::abs(to_world->column[1]) * size.y)
+                      + glm::abs(to_world->column[2]) * size.z
+                : size;
+        return std::max(std::max(image.x, image.y), image.z);
     }
 };
 
@@ -59,11 +71,23 @@ struct Watch {
     Counters* counters = nullptr; // null: not counted
 };
 
+// Shows a slide all triangles at its point that the filter of the sweep sees, in all of the world.
+struct Surroundings {
+    void (*show)(const Surroundings& self, geometry::Slide& slide);
+};
+
 struct SweepQuery {
     geometry::Sweep sweep;
     Filter filter;
     float t_max;
-    bool skip_separating; // initial contacts that do not get deeper do not count
+    const Watch* watch = nullptr;
+    const Surroundings* surroundings = nullptr; // if there: a slide, else all contacts count
+};
+
+// What touches the point of a slide.
+struct SeamQuery {
+    math::Vec3d center; // the slide's point is relative to it
+    Filter filter;
     const Watch* watch = nullptr;
 };
 
@@ -177,6 +201,8 @@ struct ShapeKernels {
                     const OverlapQuery& query, Touched& touched);
     void (*nearest)(const Target& target, const Place& place, const Volume& volume,
                     const NearestQuery& query, NearestHit& best);
+    void (*surround)(const Target& target, const Place& place, const Volume& volume,
+                     const SeamQuery& query, geometry::Slide& slide);
 };
 
 } // namespace peregrine::trace

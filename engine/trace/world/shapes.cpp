@@ -190,7 +190,52 @@ NearestHit limit_of(const NearestHit& best) {
     return limit;
 }
 
+// The shape's centre is at `position`, which the triangles are seen from; the slide's point, which
+// they are looked for around, is elsewhere.
+void surround(const World& world, const Position& position, const SeamQuery& query,
+              geometry::Slide& slide) {
+    Volume point;
+    point.origin = query.center + slide.point();
+    const Volume ball = with_radius(point, slide.reach());
+    kernels(world.fixed, query).surround(world.fixed.target, kWhereItIs, ball, query, slide);
+    if (!world.nodes) return;
+    const float at_rest = 0;
+    const Position around{position.record, position.base + slide.point()};
+    visit_instances(world, ball, around, query.filter, at_rest,
+                    [&](const Instance& instance, const Meeting& meeting) {
+                        Place place = meeting.place;
+                        place.center = position.from(instance.origin);
+                        kernels(instance.part, query)
+                            .surround(instance.part.target, place, meeting.local,
+                                      within(query, instance), slide);
+                        return false;
+                    });
+}
+
+struct SurroundingWorld : Surroundings {
+    const World& world;
+    const Position& position;
+    const SweepQuery& query;
+
+    SurroundingWorld(const World& world_, const Position& position_, const SweepQuery& query_)
+        : Surroundings{show_all}, world(world_), position(position_), query(query_) {}
+
+    static void show_all(const Surroundings& self, geometry::Slide& slide) {
+        const auto& all = static_cast<const SurroundingWorld&>(self);
+        surround(all.world, all.position,
+                 {all.query.sweep.center, all.query.filter, all.query.watch}, slide);
+    }
+};
+
 } // namespace
+
+FirstHit slide(const World& world, const Volume& volume, const Position& position,
+               const SweepQuery& query) {
+    const SurroundingWorld surroundings(world, position, query);
+    SweepQuery asked = query;
+    asked.surroundings = &surroundings;
+    return sweep(world, volume, position, asked);
+}
 
 FirstHit sweep(const World& world, const Volume& volume, const Position& position,
                const SweepQuery& query) {

@@ -11,6 +11,9 @@ namespace peregrine::trace {
 // Triangles are numbered through, as by closest().
 FirstHit sweep(const World& world, const Volume& volume, const Position& position,
                const SweepQuery& query);
+// ... of a shape that slides (geometry/shapes/slide.h).
+FirstHit slide(const World& world, const Volume& volume, const Position& position,
+               const SweepQuery& query);
 bool overlaps(const World& world, const Volume& volume, const Position& position,
               const OverlapQuery& query);
 void collect(const World& world, const Volume& volume, const Position& position,
