@@ -57,6 +57,14 @@ scene::CommitOptions to_options(const rt_commit_desc* desc) {
     options.build.empty_bonus = fields.empty_bonus;
     require_enum(fields.memory, RT_MEMORY_COMPACT, "rt_commit_desc.memory");
     require_zero(fields.reserved, "rt_commit_desc.reserved");
+    require_enum(fields.light_proofs, RT_LIGHT_PROOFS_MADE, "rt_commit_desc.light_proofs");
+    if (!(fields.proof_patch_size >= 0 && fields.proof_patch_size <= 1e30f))
+        base::fail(base::Code::invalid_argument,
+                   "rt_commit_desc.proof_patch_size is %g; it must be 0 to 1e30",
+                   double(fields.proof_patch_size));
+    options.proofs.proves = fields.light_proofs == RT_LIGHT_PROOFS_MADE;
+    if (fields.most_proof_bytes > 0) options.proofs.most_bytes = fields.most_proof_bytes;
+    if (fields.proof_patch_size > 0) options.proofs.patch_size = fields.proof_patch_size;
     options.build.compact = fields.memory == RT_MEMORY_COMPACT;
     options.progress = {fields.progress, fields.progress_user};
     return options;
@@ -129,6 +137,10 @@ rt_commit_report to_report(const scene::CommitReport& in) {
     out.bytes_attributes = in.bytes_attributes;
     out.bytes_textures = in.bytes_textures;
     out.commit_ms = in.commit_ms;
+    out.proof_count = in.proofs.proofs;
+    out.bytes_proofs = in.proofs.bytes;
+    out.proof_ms = in.proofs.ms;
+    out.proved_light_count = in.proofs.lights;
     out.light_count = in.light_count;
     out.instance_count = in.instance_count;
     out.rebuilt = in.fixed_rebuilt || in.deforming_rebuilt ? 1 : 0;

@@ -54,6 +54,9 @@ void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const F
                                   shade::Shader::prepare(snapshot, features_seen(snapshot, frame),
                                                          frame.shadows, lights, origin),
                                   Output::choose(frame)};
+    if (context.shader.proofs_hold())
+        for (size_t i = 0; i < std::min(lights.size(), snapshot.light_views.size()); ++i)
+            lights[i].visibility = snapshot.light_views[i].get();
     const uint32_t tile_count = Tile::tile_count(frame.width, frame.height);
     const uint32_t worker_count = std::min(scheduler.concurrency(), tile_count);
     base::Vector<Worker> workers(worker_count, memory);

@@ -158,6 +158,7 @@ void Commit::prepare() {
     build_structures();
     place_instances();
     find_bounds();
+    prove_lights();
     if (options_.progress.cancels(1.0f))
         base::fail(base::Code::cancelled, "the commit was cancelled by its progress callback");
 }
@@ -166,6 +167,7 @@ void Commit::remember() noexcept {
     scene_.fixed_ = snapshot_.fixed;
     scene_.fixed_build_ = options_.build.relevant();
     scene_.fixed_changed_ = false;
+    scene_.views_.swap(views_);
     ++scene_.version_;
 }
 

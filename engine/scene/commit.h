@@ -9,7 +9,8 @@ namespace peregrine::scene {
 class Commit {
 public:
     Commit(Scene& scene, const CommitOptions& options, Snapshot& snapshot)
-        : scene_(scene), options_(options), snapshot_(snapshot), number_(++scene.commits_begun_) {}
+        : scene_(scene), options_(options), snapshot_(snapshot), number_(++scene.commits_begun_),
+          views_(&scene.recycled), number_of_light_(&scene.recycled) {}
 
     void prepare();           // may fail
     void remember() noexcept; // what was built is the scene's
@@ -31,6 +32,8 @@ private:
     void show_materials();
     void show_meshes();
     void show_lights();
+    // Of the progress; the rest is that of proofs.
+    float build_share() const { return options_.proofs.proves ? 0.1f : 1.0f; }
     void build_structures();
     Works find_works();
     uint64_t fixed_triangles() const;
@@ -41,6 +44,13 @@ private:
     void place_instances();
     void place_far_instances();
     void find_bounds();
+
+    using AllCorners = base::Vector<trace::visibility::Corners>;
+    using LightNumbers = base::Vector<uint32_t>;
+    AllCorners fixed_corners() const;
+    LightNumbers keep_proofs();
+    void prove_lights();
+
     void count(const MeshDescription& mesh, CommitReport& report) const;
     void count(const Geometry& shape, MeshKind kind, CommitReport& report) const;
     trace::Part part_of(const Geometry& geometry, uint64_t first) const;
@@ -53,6 +63,9 @@ private:
     uint32_t moving_ = 0;      // meshes, hidden ones as well
     uint32_t rigid_count_ = 0; // instances
     bool deforming_built_ = false;
+    base::Vector<LightView> views_; // by slot of the light
+    LightNumbers number_of_light_;  // by slot: in the snapshot
+    ProofReport proof_report_;
 };
 
 } // namespace peregrine::scene

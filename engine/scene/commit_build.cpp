@@ -117,7 +117,7 @@ void Commit::build_structures() {
     uint64_t total = 0, done = 0;
     for (const Work& work : works) total += work.triangles;
     const auto fraction = [&](uint64_t part) {
-        return total == 0 ? 0.0f : float(double(part) / double(total));
+        return total == 0 ? 0.0f : build_share() * float(double(part) / double(total));
     };
     for (const Work& work : works) {
         base::PartProgress part(options_.progress, fraction(done), fraction(work.triangles));

@@ -33,6 +33,7 @@ CommitReport Commit::report() {
     report.light_count = uint32_t(snapshot_.lights.size());
     report.fixed_rebuilt = snapshot_.fixed != scene_.fixed_;
     report.deforming_rebuilt = deforming_built_;
+    report.proofs = proof_report_;
     report.degenerate_count = report.fixed->degenerate_count;
     report.non_finite_count = report.fixed->non_finite_count + unusable_;
     for (auto& slot : scene_.meshes.slots())

@@ -24,8 +24,8 @@ Scene::Scene(const SceneOptions& options)
       textures(first_generation_, &memory), materials(first_generation_, &memory),
       meshes(first_generation_, &memory), lights(first_generation_, &memory),
       snapshots(first_generation_, &recycled),
-      isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa), extents_(&memory),
-      places_(&memory) {
+      isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa), views_(&recycled),
+      extents_(&memory), places_(&memory) {
     if (!base::machine_has(isa_))
         base::fail(base::Code::unsupported,
                    "this machine or build lacks the instruction set %u that the scene asks for",

@@ -8,6 +8,7 @@
 #include "base/scheduler.h"
 #include "base/slot_map.h"
 #include "scene/light.h"
+#include "scene/light_view.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/snapshot.h"
@@ -84,6 +85,7 @@ struct BuildChoice {
 struct CommitOptions {
     BuildChoice build;
     base::Progress progress;
+    ProofChoice proofs;
 };
 
 struct CommitReport {
@@ -102,6 +104,7 @@ struct CommitReport {
     uint32_t light_count = 0;
     bool fixed_rebuilt = false;
     bool deforming_rebuilt = false;
+    ProofReport proofs;
     double commit_ms = 0;
 };
 
@@ -167,7 +170,8 @@ private:
     uint64_t flags_version_ = 1;
     uint64_t version_ = 0;
     uint64_t commits_begun_ = 0;
-    Extents extents_; // room for commits to work in
+    base::Vector<LightView> views_; // by slot of the light: what was proved of it
+    Extents extents_;               // room for commits to work in
     base::Vector<accel::instances::Place> places_;
 };
 

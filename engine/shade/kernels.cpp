@@ -8,6 +8,7 @@
 
 #include "shade/kernels.h"
 #include "shade/lights-inl.h"
+#include "shade/recall-inl.h"
 #include "shade/surfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,6 +38,7 @@ constexpr WeighLights weigh_lights<LightType::directional>() {
 }
 constexpr Kernels kKernels = {
     find_surfaces,
+    recall,
     {weigh_lights<LightType::point>(), weigh_lights<LightType::spot>(),
      weigh_lights<LightType::directional>()},
     {add_light<false>, add_light<true>},

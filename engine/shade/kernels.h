@@ -22,6 +22,12 @@ struct RayHits {
     uint32_t count;
 };
 
+// What is remembered of a light at the points of a batch.
+struct Recalled {
+    const uint32_t* states = nullptr; // visibility::State; null: nothing
+    bool traces_lit = false; // something moves in between: rays are listed for lit points, too
+};
+
 // Where a light kernel puts the rays toward its light, packed.
 struct ShadowRays {
     float* origin[3];
@@ -29,10 +35,11 @@ struct ShadowRays {
     uint32_t* index; // of the ray in its batch
 };
 
-// Weighs a light at each point and lists the rays toward it from those that it may reach; returns
-// their number.
+// Weighs a light at each point and lists the rays toward it from those that it may reach and of
+// which nothing is remembered; returns their number.
 using WeighLight = uint32_t (*)(const Surface& surface, uint32_t count, const PreparedLight& light,
-                                LightWeights& weights, const ShadowRays& rays);
+                                const Recalled& recalled, LightWeights& weights,
+                                const ShadowRays& rays);
 
 // By fall-off, and whether anything is specular.
 using WeighLights = std::array<std::array<WeighLight, 2>, scene::kFalloffCount>;
@@ -42,6 +49,11 @@ struct Kernels {
     // What lies at the hits. `features`: what to look at (scene::Feature bits).
     void (*find_surfaces)(const scene::Snapshot& snapshot, uint32_t features,
                           const SurfaceSpace& space, const RayHits& hits, Surface& out);
+
+    // What is remembered of the light at each point, as visibility::State; returns which of them
+    // occur, as bits.
+    uint32_t (*recall)(const trace::visibility::PointVisibility& visibility, const Surface& surface,
+                       uint32_t first_moving, const RayHits& hits, uint32_t* states);
 
     std::array<WeighLights, 3> weigh_light; // by type of light
 

@@ -132,9 +132,9 @@ HWY_INLINE Vf weigh_lobe(const Surface& surface, uint32_t i, const Incidence& in
 }
 
 // Rays that start at the light get their origins all at once, elsewhere.
-HWY_INLINE uint32_t pack_rays(const Surface& surface, uint32_t i, const Incidence& in,
+HWY_INLINE uint32_t pack_rays(const Surface& surface, uint32_t i, const Incidence& in, Mf traced,
                               bool from_light, const ShadowRays& rays, uint32_t count) {
-    const Compressor lit(in.lit);
+    const Compressor lit(traced);
     if (!from_light) {
         const V3 p = load(surface.position, i);
         hn::StoreU(lit.pack(p.x), kF, rays.origin[0] + count);
@@ -147,15 +147,21 @@ HWY_INLINE uint32_t pack_rays(const Surface& surface, uint32_t i, const Incidenc
     hn::StoreU(lit.pack(along.z), kF, rays.direction[2] + count);
     const Vf index = lit.pack(hn::BitCast(kF, hn::Iota(kU, i)));
     hn::StoreU(hn::BitCast(kU, index), kU, rays.index + count);
-    return count + uint32_t(hn::CountTrue(kF, in.lit));
+    return count + uint32_t(hn::CountTrue(kF, traced));
+}
+
+HWY_INLINE Mf differs(const uint32_t* states, trace::visibility::State from) {
+    return hn::RebindMask(kF, hn::Ne(hn::LoadU(kU, states), hn::Set(kU, uint32_t(from))));
 }
 
 template <scene::LightType Type, scene::Falloff Kind, bool Specular>
 HWY_ATTR uint32_t weigh_light(const Surface& surface, uint32_t count, const PreparedLight& light,
-                              LightWeights& out, const ShadowRays& rays) {
+                              const Recalled& recalled, LightWeights& out, const ShadowRays& rays) {
+    using trace::visibility::State;
     uint32_t ray_count = 0;
     for (uint32_t i = 0; i < count; i += kLanes) {
         Incidence in = find_incidence<Type>(surface, light, i);
+        if (recalled.states) in.lit = hn::And(in.lit, differs(recalled.states + i, State::hidden));
         if (hn::AllFalse(kF, in.lit)) {
             hn::StoreU(hn::Zero(kF), kF, out.diffuse + i);
             if constexpr (Specular) hn::StoreU(hn::Zero(kF), kF, out.lobe + i);
@@ -163,7 +169,10 @@ HWY_ATTR uint32_t weigh_light(const Surface& surface, uint32_t count, const Prep
         }
         hn::StoreU(weigh_diffuse<Type, Kind>(surface, light, i, in), kF, out.diffuse + i);
         if constexpr (Specular) hn::StoreU(weigh_lobe(surface, i, in), kF, out.lobe + i);
-        ray_count = pack_rays(surface, i, in, light.from_light, rays, ray_count);
+        Mf traced = in.lit;
+        if (recalled.states && !recalled.traces_lit)
+            traced = hn::And(traced, differs(recalled.states + i, State::lit));
+        ray_count = pack_rays(surface, i, in, traced, light.from_light, rays, ray_count);
     }
     return ray_count;
 }

@@ -3,6 +3,7 @@
 #include "math/box.h"
 #include "scene/light.h"
 #include "shade/falloff.h"
+#include "trace/visibility/point_visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,8 @@ struct PreparedLight {
     float inverse_nearest; // of inverse squares: nearer places are lit as from 1 / this
     float cone_outer_cos;
     float cone_scale; // 1 / (inner - outer)
+    const trace::visibility::PointVisibility* visibility =
+        nullptr; // what is remembered; null: nothing
 };
 
 // The cheapest fall-off with the light's values.

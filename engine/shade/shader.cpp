@@ -48,18 +48,39 @@ void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scrat
     std::fill_n(&scratch.light.irradiance[0][0], floats, 0.0f);
     if (!scratch.surface.bounds.empty())
         for (const PreparedLight& light : lights)
-            if (reaches(light, scratch.surface.bounds)) illuminate(light, hits.count, scratch);
+            if (reaches(light, scratch.surface.bounds)) illuminate(light, hits, scratch);
     const bool emissive = features & scene::kEmissive;
     kernels->combine[specular][emissive](scratch.surface, scratch.light, hits,
                                          snapshot->environment, radiance);
 }
 
-void Shader::illuminate(const PreparedLight& light, uint32_t count, Scratch& scratch) const {
+// Whether a moving thing's box is in the way of that of all segments.
+bool Shader::something_moves_before(const PreparedLight& light, const math::Box& points) const {
+    if (!snapshot->world.nodes) return false;
+    if (light.type == scene::LightType::directional) return true;
+    math::Box segments = points;
+    segments.extend(light.position);
+    return trace::moving_may_meet(snapshot->world, segments);
+}
+
+void Shader::illuminate(const PreparedLight& light, const RayHits& hits, Scratch& scratch) const {
+    using trace::visibility::State;
     if (light.from_light && light.radius > space.light_reach
         && reach_between(light.position, scratch.surface.bounds) > space.light_reach) [[unlikely]] {
         PreparedLight distant = light;
         distant.from_light = false;
-        return illuminate(distant, count, scratch);
+        return illuminate(distant, hits, scratch);
+    }
+    const bool traces = shadows && light.casts_shadow;
+    Recalled recalled;
+    bool some_are_lit = false;
+    if (traces && light.visibility) {
+        const uint32_t occurs = kernels->recall(*light.visibility, scratch.surface,
+                                                snapshot->world.first_moving, hits, scratch.states);
+        if (occurs == 1u << uint32_t(State::hidden)) return;
+        recalled.states = scratch.states;
+        some_are_lit = occurs & 1u << uint32_t(State::lit);
+        recalled.traces_lit = some_are_lit && something_moves_before(light, scratch.surface.bounds);
     }
     const bool specular = features & scene::kSpecular;
     const ShadowRays rays = {
@@ -68,10 +89,13 @@ void Shader::illuminate(const PreparedLight& light, uint32_t count, Scratch& scr
         scratch.shadow_index};
     const WeighLights& by_falloff = kernels->weigh_light[uint32_t(light.type)];
     const uint32_t ray_count = by_falloff[uint32_t(light.falloff)][specular](
-        scratch.surface, count, light, scratch.weights, rays);
-    if (ray_count == 0) return;
-    if (shadows && light.casts_shadow && !hide_occluded(light, ray_count, scratch)) return;
-    kernels->add_light[specular](scratch.weights, count, light.color, scratch.light);
+        scratch.surface, hits.count, light, recalled, scratch.weights, rays);
+    if (ray_count == 0 && !some_are_lit) return;
+    if (traces && ray_count > 0) {
+        const uint32_t hidden = hide_occluded(light, ray_count, recalled.traces_lit, scratch);
+        if (hidden == ray_count && !some_are_lit) return;
+    }
+    kernels->add_light[specular](scratch.weights, hits.count, light.color, scratch.light);
 }
 
 // Fixed and deforming meshes see rays relative to the world's origin, rounded to float.
@@ -87,8 +111,10 @@ trace::RayStream Shader::in_world(trace::RayStream rays, Scratch& scratch) const
     return rays;
 }
 
-// Takes the light away where something is in between; returns whether any is left.
-bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count, Scratch& scratch) const {
+// Takes the light away where something is in between; returns of how many rays. `some_are_lit`: as
+// far as fixed triangles are concerned.
+uint32_t Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count, bool some_are_lit,
+                               Scratch& scratch) const {
     scratch.shadow_ray_count += ray_count;
     trace::RayStream rays = {
         {scratch.shadow_origin[0], scratch.shadow_origin[1], scratch.shadow_origin[2]},
@@ -107,8 +133,14 @@ bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count, Scrat
     }
     const trace::Positions positions = {{rays.origin[0], rays.origin[1], rays.origin[2]},
                                         space.origin};
-    trace::occluded(snapshot->world, in_world(rays, scratch), positions, shadow_filter,
-                    scratch.occluded);
+    if (some_are_lit) {
+        ask_for_mixed(rays, scratch);
+        trace::occluded_by_moving(snapshot->world, rays, positions, shadow_filter,
+                                  scratch.occluded);
+    } else {
+        trace::occluded(snapshot->world, in_world(rays, scratch), positions, shadow_filter,
+                        scratch.occluded);
+    }
     uint32_t hidden = 0;
     for (uint32_t k = 0; k < ray_count; ++k) {
         // Without a branch: shadow edges are unpredictable.
@@ -117,7 +149,33 @@ bool Shader::hide_occluded(const PreparedLight& light, uint32_t ray_count, Scrat
                                       & (uint32_t(scratch.occluded[k]) - 1u));
         hidden += scratch.occluded[k];
     }
-    return hidden < ray_count;
+    return hidden;
+}
+
+// Whether fixed triangles occlude those rays of which that is not remembered; the others are lit.
+void Shader::ask_for_mixed(const trace::RayStream& rays, Scratch& scratch) const {
+    using trace::visibility::State;
+    uint32_t count = 0;
+    for (uint32_t k = 0; k < rays.count; ++k) {
+        scratch.occluded[k] = 0;
+        if (scratch.states[scratch.shadow_index[k]] == uint32_t(State::lit)) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            scratch.fixed_origin[axis][count] = rays.origin[axis][k];
+            scratch.fixed_direction[axis][count] = rays.direction[axis][k];
+        }
+        scratch.fixed_index[count++] = k;
+    }
+    if (count == 0) return;
+    trace::RayStream asked = rays;
+    for (int axis = 0; axis < 3; ++axis) {
+        asked.origin[axis] = scratch.fixed_origin[axis];
+        asked.direction[axis] = scratch.fixed_direction[axis];
+    }
+    asked.count = count;
+    const trace::Part& fixed = snapshot->world.fixed;
+    fixed.kernels->occluded_stream(fixed.target, asked, shadow_filter, scratch.fixed_occluded);
+    for (uint32_t i = 0; i < count; ++i)
+        scratch.occluded[scratch.fixed_index[i]] = scratch.fixed_occluded[i];
 }
 
 } // namespace peregrine::shade

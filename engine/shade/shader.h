@@ -25,6 +25,12 @@ struct alignas(64) Scratch {
     Surface::Lanes just_below_one;
     Surface::Lanes ones;
     Surface::Lanes infinities;
+    // Of what is remembered of a light, and of rays that only fixed triangles are asked about.
+    alignas(64) uint32_t states[kPadded];
+    Surface::Lanes fixed_origin[3];
+    Surface::Lanes fixed_direction[3];
+    uint32_t fixed_index[kPadded];
+    uint8_t fixed_occluded[kPadded];
     uint32_t shadow_index[kPadded];
     uint8_t occluded[kPadded];
     uint64_t shadow_ray_count;
@@ -49,12 +55,21 @@ struct Shader {
     // Fills scratch.surface.
     void find_surfaces(const RayHits& hits, Scratch& scratch) const;
 
+    // Whether what was proved of lights is true of this frame's surfaces
+    // (trace/visibility/shaft.h).
+    bool proofs_hold() const {
+        return !space.is_elsewhere && space.fixed_reach <= 2 * space.fixed_size;
+    }
+
     // Radiance of at most kBatch rays.
     void shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const;
 
 private:
-    void illuminate(const PreparedLight& light, uint32_t count, Scratch& scratch) const;
-    bool hide_occluded(const PreparedLight& light, uint32_t ray_count, Scratch& scratch) const;
+    void illuminate(const PreparedLight& light, const RayHits& hits, Scratch& scratch) const;
+    bool something_moves_before(const PreparedLight& light, const math::Box& points) const;
+    uint32_t hide_occluded(const PreparedLight& light, uint32_t ray_count, bool some_are_lit,
+                           Scratch& scratch) const;
+    void ask_for_mixed(const trace::RayStream& rays, Scratch& scratch) const;
     trace::RayStream in_world(trace::RayStream rays, Scratch& scratch) const;
 };
 

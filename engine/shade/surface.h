@@ -9,6 +9,11 @@ namespace peregrine::shade {
 inline constexpr uint32_t kBatch = 256;          // rays shaded at a time: they fit the L1 cache
 inline constexpr uint32_t kPadded = kBatch + 16; // vectors may write this far
 
+// Neighbouring rays that hit the same side of one triangle, or nothing.
+struct TriangleRun {
+    uint32_t begin, end;
+};
+
 // What lies at the hits of a batch of rays, as separate arrays. A ray that missed has zero normals
 // and so catches no light.
 struct alignas(64) Surface {
@@ -24,6 +29,8 @@ struct alignas(64) Surface {
     Lanes shininess;
     Lanes emissive[3]; // with kEmissive
     math::Box bounds;  // of the positions that were hit
+    uint32_t run_count;
+    TriangleRun runs[kBatch];
 };
 static_assert(sizeof(Surface::Lanes) % 64 == 0);
 

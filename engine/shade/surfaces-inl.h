@@ -17,9 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
-struct Run {
-    uint32_t begin, end;
-};
+using Run = TriangleRun;
 
 HWY_INLINE Run next_run(const RayHits& hits, uint32_t begin) {
     const uint32_t triangle = hits.triangle[begin], back_face = hits.back_face[begin];
@@ -160,9 +158,11 @@ HWY_INLINE void finish(uint32_t features, const RayHits& hits, Surface& out) {
 HWY_ATTR void find_surfaces(const scene::Snapshot& snapshot, uint32_t features,
                             const SurfaceSpace& space, const RayHits& hits, Surface& out) {
     TriangleShading triangle;
+    out.run_count = 0;
     for (uint32_t begin = 0; begin < hits.count;) {
         const Run run = next_run(hits, begin);
         begin = run.end;
+        out.runs[out.run_count++] = run;
         if (hits.triangle[run.begin] == geometry::kNoTriangle) {
             miss(features, run, out);
             continue;

@@ -1,5 +1,6 @@
 #include "shade/triangle_shading.h"
 
+#include "geometry/lift.h"
 #include "scene/texture_sampling.h"
 #include "shade/highlight.h"
 
@@ -21,39 +22,12 @@ Vec3 unit_normal(const Vec3* v) {
     return length > 0 ? Vec3(n / length) : Vec3(0, 0, 1);
 }
 
-inline Vec3 largest_of(const Vec3* v) {
-    return glm::max(glm::max(glm::abs(v[0]), glm::abs(v[1])), glm::abs(v[2]));
-}
-
-// Moves a point that was computed from barycentrics clear of its triangle's plane, so that rays
-// from it to the geometric normal's side cannot hit that plane again. Pharr, Jakob, Humphreys, PBR
-// 3rd edition, 3.9: (1 - u - v) v0 + u v1 + v v2 is off by at most gamma(7) max |v_i| an axis; two
-// more roundings come from adding the lift itself.
-Vec3 surface_lift(const Vec3& largest, const Vec3& normal, float intersection_error) {
-    constexpr float kGamma9 = 9.0f * 0x1p-24f * 1.001f;
-    return normal * (kGamma9 * glm::dot(glm::abs(normal), largest) + intersection_error);
-}
-
-float size_of(const math::Box& bounds) {
-    if (bounds.empty()) return 0;
-    const Vec3 size = bounds.upper - bounds.lower;
-    return std::max({size.x, size.y, size.z});
-}
-
-// How far the intersector may be off for rays that start at most `reach` from the vertices of the
-// triangle and of its neighbours in the same plane, measured across it. geometry/intersect.h: a hit
-// is closer than 8.1 e D to its triangle in the maximum norm, which is 14.1 e D across it. A ray
-// that all but grazes the plane sinks by less than 4 e D below its rounded normal's horizon before
-// it leaves the mesh. 20 covers both.
-float intersection_error(float reach) {
-    return 20.0f * 0x1p-24f * reach;
-}
-
 // Of a mesh that moves, in the world. Within a space of its own, what a ray's rounded origin is off
 // grows with the mesh's coordinates, which twice the largest covers, too.
 float reach_of(const SurfaceSpace& space, const math::Box& bounds,
                const scene::Placement* placement) {
-    if (!placement) return std::min(space.world_size, size_of(bounds) + space.light_reach);
+    if (!placement)
+        return std::min(space.world_size, geometry::largest_side(bounds) + space.light_reach);
     const Vec3 most = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
     const auto own = float(placement->to_world.norm()) * 2 * std::max({most.x, most.y, most.z});
     const auto condition = float(placement->condition);
@@ -113,9 +87,10 @@ void gather_tangents(const scene::MeshData& mesh, const std::array<uint32_t, 3>&
 // Lights that shine farther than a level is large do not make all of a wide world's surfaces rise.
 SurfaceSpace::SurfaceSpace(const trace::World& world, const math::Vec3d& origin_,
                            float light_radius)
-    : origin(origin_), is_elsewhere(origin_ != math::Vec3d(0)), world_size(size_of(world.bounds)) {
+    : origin(origin_), is_elsewhere(origin_ != math::Vec3d(0)),
+      world_size(geometry::largest_side(world.bounds)),
+      fixed_size(geometry::largest_side(world.fixed.target.bounds)) {
     constexpr float kLevel = 256; // metres
-    const float fixed_size = size_of(world.fixed.target.bounds);
     light_reach = std::min({light_radius, world_size, std::max(fixed_size, kLevel)});
     fixed_reach = std::min(world_size, fixed_size + light_reach);
 }
@@ -140,15 +115,15 @@ void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangl
     if (placement) {
         place(*placement, space.origin, out);
     } else if (is_moved) [[unlikely]] {
-        in_world = largest_of(out.vertex);
+        in_world = geometry::largest_coordinates(out.vertex);
         for (Vec3& vertex : out.vertex) vertex = Vec3(math::Vec3d(vertex) - space.origin);
     }
     Vec3 front = unit_normal(out.vertex);
     if (placement && placement->mirrored) front = -front;
     out.geometric = back_face ? -front : front;
-    Vec3 largest = largest_of(out.vertex);
+    Vec3 largest = geometry::largest_coordinates(out.vertex);
     if (is_moved) largest += 0.25f * (largest + in_world); // for two more roundings, of either
-    out.lift = surface_lift(largest, out.geometric, intersection_error(reach));
+    out.lift = geometry::surface_lift(largest, out.geometric, geometry::intersection_error(reach));
     if ((features & scene::kSpecular) && out.shininess != material.shininess) {
         out.shininess = material.shininess;
         out.highlight_gain = highlight_gain(material.shininess);

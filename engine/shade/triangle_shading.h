@@ -35,6 +35,7 @@ struct SurfaceSpace {
     math::Vec3d origin{0};     // relative to the world's, and ...
     bool is_elsewhere = false; // ... whether it is another
     float world_size = 0;
+    float fixed_size = 0; // of what does not move
     float light_reach = 0;
     float fixed_reach = 0; // how far from a fixed triangle its shadow rays may start
 

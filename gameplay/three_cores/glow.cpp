@@ -8,7 +8,7 @@ namespace {
 using gameplay::Mood;
 
 constexpr double kBeam = 75, kCore = 3, kBlast = 420; // candela
-constexpr double kCoreReach = 4, kBlastReach = 16;      // m
+constexpr double kCoreReach = 4, kBlastReach = 16;    // m
 constexpr double kLens = 0.3; // m before the middle of a drone: outside of its hull
 
 Vec3 color_of(Mood mood) {

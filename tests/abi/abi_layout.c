@@ -149,6 +149,9 @@ static void print_commit(void) {
     FIELD(rt_commit_desc, progress);
     FIELD(rt_commit_desc, progress_user);
     FIELD(rt_commit_desc, memory);
+    FIELD(rt_commit_desc, light_proofs);
+    FIELD(rt_commit_desc, most_proof_bytes);
+    FIELD(rt_commit_desc, proof_patch_size);
     FIELD(rt_commit_desc, reserved);
     STRUCT(rt_commit_report);
     FIELD(rt_commit_report, struct_size);
@@ -181,6 +184,11 @@ static void print_commit(void) {
     FIELD(rt_commit_report, dynamic_rebuilt);
     FIELD(rt_commit_report, reserved);
     FIELD(rt_commit_report, dynamic_build_ms);
+    FIELD(rt_commit_report, proof_count);
+    FIELD(rt_commit_report, bytes_proofs);
+    FIELD(rt_commit_report, proof_ms);
+    FIELD(rt_commit_report, proved_light_count);
+    FIELD(rt_commit_report, reserved2);
 }
 
 static void print_query(void) {

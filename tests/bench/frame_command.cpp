@@ -42,7 +42,10 @@ public:
           size_(parse_image_size(options.frame_size)), memory_(size_.width, size_.height) {
         report("building");
         for (const std::string& look : options.looks)
-            entrants_.push_back({test::look_of(look), make_stage(test::look_of(look))});
+            entrants_.push_back(
+                {test::look_of(look),
+                 make_stage(test::look_of(look) == Look::visibility ? RT_LIGHT_PROOFS_KEPT
+                                                                    : RT_LIGHT_PROOFS_MADE)});
         if (options.peers.empty()) return;
         peer_.emplace(options.peers, standing_triangles(level_), views_, size_, runner,
                       options.threads);
@@ -69,8 +72,8 @@ public:
 private:
     void report(const char* what) const { std::fprintf(stderr, "%s: %s\n", name_.c_str(), what); }
 
-    std::unique_ptr<FrameStage> make_stage(Look look) const {
-        return std::make_unique<FrameStage>(api_, level_, options_.threads, look);
+    std::unique_ptr<FrameStage> make_stage(rt_light_proofs proofs) const {
+        return std::make_unique<FrameStage>(api_, level_, options_.threads, proofs);
     }
 
     // What counts: on one thread the processor's time, which a busy machine does not stretch.
@@ -93,7 +96,7 @@ private:
                 entrant.pass += frame.seconds;
                 entrant.rays_primary += double(frame.stats.rays_primary);
                 entrant.rays_shadow += double(frame.stats.rays_shadow);
-                entrant.proofs = test::count_proofs(frame.stats, entrant.stage->report());
+                entrant.proofs = test::count_proofs(entrant.stage->report());
             }
             if (peer_) peer_->run(view);
         }
@@ -107,12 +110,12 @@ private:
         }
     }
 
-    // Each camera's frame is the first of a new scene, so there is nothing that it could remember.
+    // Each camera's frame is the first of a new scene of which nothing was proved.
     void run_first(Entrant& entrant) {
         double ms = 0;
         for (const host::Viewpoint& view : views_)
-            ms +=
-                milliseconds(make_stage(entrant.look)->render(entrant.look, view, memory_).seconds);
+            ms += milliseconds(
+                make_stage(RT_LIGHT_PROOFS_KEPT)->render(entrant.look, view, memory_).seconds);
         entrant.first_frame_ms.push_back(ms / double(views_.size()));
     }
 

@@ -17,12 +17,13 @@ Seconds Seconds::now() {
     return {process_seconds(), wall_seconds()};
 }
 
-FrameStage::FrameStage(const rt_api& api, const host::Level& level, uint32_t threads, Look look)
+FrameStage::FrameStage(const rt_api& api, const host::Level& level, uint32_t threads,
+                       rt_light_proofs proofs)
     : stage_(api, threads, RT_ISA_BEST), report_(rt_default_commit_report()) {
     host::Player player(stage_, level, host::upload_level(stage_, level, kAmbient));
     player.describe(0);
     rt_commit_desc commit = rt_default_commit_desc();
-    test::set_options(look, commit);
+    commit.light_proofs = proofs;
     stage_.check(api.commit_scene(stage_.scene(), &commit, &report_), "building the scene");
 }
 

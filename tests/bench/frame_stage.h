@@ -34,7 +34,9 @@ struct RenderedFrame {
 // A level behind the header, committed, of which no frame has been rendered yet.
 class FrameStage {
 public:
-    FrameStage(const rt_api& api, const host::Level& level, uint32_t threads, Look look);
+    // `proofs`: whether the commit proves what a shaded frame would trace.
+    FrameStage(const rt_api& api, const host::Level& level, uint32_t threads,
+               rt_light_proofs proofs);
 
     RenderedFrame render(Look look, const host::Viewpoint& view, FrameMemory& memory) const;
     const rt_commit_report& report() const { return report_; }

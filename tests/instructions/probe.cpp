@@ -128,7 +128,6 @@ private:
 
     void commit() {
         rt_commit_desc desc = rt_default_commit_desc();
-        set_options(Look::exact, desc);
         check(rt_commit_scene(stage_.scene(), &desc, nullptr));
     }
 

@@ -30,14 +30,13 @@ inline Look look_of(const std::string& name) {
     return Look(place - std::begin(kLookNames));
 }
 
-// The one place that knows by which options looks differ: those of a frame, those of a commit, and
-// where it is told how many answers for whole patches these two have proved.
+// The one place that knows by which options looks differ: those of a frame, and where it is told
+// how many answers for whole patches a commit has tried to prove.
 inline void set_options(Look, rt_frame_desc&) {
     // No frame approximates yet: Look::exact would have every option at exact here.
 }
-inline void set_options(Look, rt_commit_desc&) {}
-inline uint64_t count_proofs(const rt_frame_stats&, const rt_commit_report&) {
-    return 0; // nothing is proved yet
+inline uint64_t count_proofs(const rt_commit_report& report) {
+    return report.proof_count;
 }
 
 // Where frames of all looks go.

@@ -532,6 +532,17 @@ enum {
     RT_MEMORY_COMPACT = 1 /* the BVH in a good half of that; rays one by one pay most for it */
 };
 
+/* Proofs of light: which static triangles see which lights. What is proved once is not traced
+ * again: frames get faster, and stay the same bits. What moves, and what was not proved, is traced
+ * as ever. */
+typedef int32_t rt_light_proofs;
+enum {
+    RT_LIGHT_PROOFS_KEPT =
+        0,                   /* what was proved before and still holds is used; nothing is proved */
+    RT_LIGHT_PROOFS_MADE = 1 /* lights that are new, or stand where the last commit saw them, are
+                                proved: 0.1 to 10 s for a level; for the commit that loads it */
+};
+
 typedef struct rt_commit_desc {
     uint32_t struct_size;
     float
@@ -542,7 +553,11 @@ typedef struct rt_commit_desc {
     rt_progress_function progress; /* null: none */
     void* progress_user;
     rt_memory memory;
-    uint32_t reserved; /* 0 */
+    rt_light_proofs light_proofs;
+    uint64_t most_proof_bytes; /* that all proofs may take: 0: 64 MiB. What is beyond is traced. */
+    float proof_patch_size; /* metres, > 0; 0: 1. Triangles that are lit in parts are cut until no
+                               side is longer: smaller ones prove more, and take longer */
+    uint32_t reserved;      /* 0 */
 } rt_commit_desc;
 
 static inline rt_commit_desc rt_default_commit_desc(void) {
@@ -598,6 +613,11 @@ typedef struct rt_commit_report {
     uint32_t dynamic_rebuilt;        /* 1: the structure of a dynamic mesh was built */
     uint32_t reserved;
     double dynamic_build_ms; /* of the structures of all dynamic meshes, whenever they were built */
+    uint64_t proof_count;    /* tried by this commit, of RT_LIGHT_PROOFS_MADE */
+    uint64_t bytes_proofs;   /* remembered, of this commit and earlier ones */
+    double proof_ms;         /* wall time of this commit's */
+    uint32_t proved_light_count; /* of which something is remembered */
+    uint32_t reserved2;
 } rt_commit_report;
 
 static inline rt_commit_report rt_default_commit_report(void) {

@@ -57,6 +57,28 @@ accel::instances::Extent extent_of(const math::Box& bounds) {
     return extent;
 }
 
+bool moving_may_meet(const World& world, const math::Box& box) {
+    const math::Vec3 most = glm::max(glm::abs(box.lower), glm::abs(box.upper));
+    const float distance = std::max({most.x, most.y, most.z});
+    uint32_t stack[accel::instances::kStackSize];
+    uint32_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        const accel::instances::Node& node = world.nodes[stack[--depth]];
+        for (uint32_t i = 0; i < node.count; ++i) {
+            const float wider = 2 * (node.margin[i] + node.slope[i] * distance);
+            bool meets = true;
+            for (int k = 0; k < 3; ++k)
+                meets = meets && node.lower[k][i] <= box.upper[k] + wider
+                        && node.upper[k][i] >= box.lower[k] - wider;
+            if (!meets) continue;
+            if (node.child[i].is_leaf()) return true;
+            stack[depth++] = node.child[i].node();
+        }
+    }
+    return false;
+}
+
 accel::instances::ExactExtent exact_extent_of(const Instance& instance) {
     const math::Box& local = instance.part.target.bounds;
     accel::instances::ExactExtent extent;

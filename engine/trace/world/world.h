@@ -57,6 +57,9 @@ inline geometry::TriangleInfo info(const World& world, uint32_t triangle) {
     return moving_info(world, triangle);
 }
 
+// Whether rays within the box may hit anything that moves; for worlds that have `nodes`.
+bool moving_may_meet(const World& world, const math::Box& box);
+
 // The ray in an instance's space, given its origin as seen from that of the space. False if nothing
 // is left of it there: its direction vanishes, or its origin lies beyond 1e30.
 inline bool to_local(const math::Affine& to_local, const math::Vec3d& seen, const math::Ray& ray,

@@ -1,0 +1,326 @@
+#include "trace/visibility/prove.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace peregrine::trace::visibility {
+namespace {
+
+// What may be in the way: a node of the tree, or one of its triangles.
+struct Candidate {
+    static constexpr uint32_t kTriangle = 0x80000000u;
+    uint32_t bits;
+
+    static Candidate node(uint32_t index) { return {index}; }
+    static Candidate triangle(uint32_t index) { return {index | kTriangle}; }
+    bool is_triangle() const { return (bits & kTriangle) != 0; }
+    uint32_t index() const { return bits & ~kTriangle; }
+};
+
+// A part of the list that candidates are pushed to. Lists of parts of a receiver begin where that
+// of the whole ends, and are forgotten after it.
+struct List {
+    uint32_t begin, end;
+    uint32_t size() const { return end - begin; }
+};
+
+class Prover {
+public:
+    Prover(const TriangleTree& tree, const Setting& setting, const ProofOptions& options,
+           base::Memory* memory, PointVisibility& out, ProofReport& report)
+        : tree_(tree), setting_(setting), options_(options), candidates_(memory), out_(out),
+          report_(report) {}
+
+    void run() {
+        if (tree_.nodes.empty()) return;
+        candidates_.push_back(Candidate::node(0));
+        visit(0, {0, 1});
+    }
+
+private:
+    // Lists of more than this are not looked through triangle by triangle: quarters have shorter
+    // ones.
+    static constexpr uint32_t kLong = 24;
+    // More than this in the way of a whole triangle do not just touch it at its border.
+    static constexpr uint32_t kTouching = 8;
+
+    struct Patch {
+        uint32_t level, iu, iv, upper;
+    };
+
+    void visit(uint32_t node_index, List list);
+    List meet_box(const math::Box& box, List list);
+    void prove_triangle(const TreeTriangle& triangle, List list);
+    State prove_whole(const Receiver& receiver, float border, List list, List& left);
+    bool is_within_reach(const math::Box& box) const;
+
+    State prove_patch(const Shaft& shaft, double longest, List list, List& left);
+    List meet_patch(const Shaft& shaft, double longest, List list);
+    void prove_quarters(const Receiver& receiver, const Patch& patch, List list);
+    void corners_of(const Receiver& receiver, float border, const Patch& patch,
+                    Vec3d (&corners)[3]) const;
+    void fill(const Patch& patch, State state);
+
+    void forget(uint32_t end) { candidates_.resize(end, Candidate{0}); }
+    uint32_t top() const { return uint32_t(candidates_.size()); }
+
+    const TriangleTree& tree_;
+    const Setting& setting_;
+    const ProofOptions& options_;
+    base::Vector<Candidate> candidates_;
+    PointVisibility& out_;
+    ProofReport& report_;
+    std::optional<uint32_t> last_cover_; // what hid the patch before
+    // Of the triangle that is being cut into patches:
+    uint32_t level_ = 0, first_word_ = 0, border_ = 1;
+};
+
+bool Prover::is_within_reach(const math::Box& box) const {
+    if (setting_.lamp.is_far) return true;
+    const Vec3d nearest = glm::clamp(setting_.position, Vec3d(box.lower), Vec3d(box.upper));
+    const Vec3d offset = setting_.position - nearest;
+    const double reach = double(setting_.lamp.reach) * (1 + 0x1p-16) + 4 * setting_.lift;
+    return glm::dot(offset, offset) <= reach * reach;
+}
+
+double half_perimeter(const math::Box& box) {
+    const Vec3d size = Vec3d(box.upper) - Vec3d(box.lower);
+    return size.x + size.y + size.z;
+}
+
+// Those of the list that may be in the way of what is in the box; nodes larger than the box are
+// opened.
+List Prover::meet_box(const math::Box& box, List list) {
+    const BoxShaft shaft(setting_, box);
+    const double size = half_perimeter(box);
+    const uint32_t begin = top();
+    uint32_t pending[128]; // the tree is shallower
+    for (uint32_t i = list.begin; i < list.end; ++i) {
+        uint32_t depth = 0;
+        pending[depth++] = candidates_[i].index();
+        while (depth > 0) {
+            const uint32_t index = pending[--depth];
+            const TriangleNode& node = tree_.nodes[index];
+            if (!shaft.meets(node.box)) continue;
+            if (node.is_leaf() || half_perimeter(node.box) <= size) {
+                candidates_.push_back(Candidate::node(index));
+            } else {
+                pending[depth++] = node.first + 1;
+                pending[depth++] = node.first;
+            }
+        }
+    }
+    return {begin, top()};
+}
+
+void Prover::visit(uint32_t node_index, List list) {
+    const TriangleNode& node = tree_.nodes[node_index];
+    if (!is_within_reach(node.box)) return;
+    const List met = meet_box(node.box, list);
+    if (node.is_leaf()) {
+        for (uint32_t i = node.first; i < node.first + node.count; ++i)
+            prove_triangle(tree_.ordered[i], met);
+    } else {
+        visit(node.first, met);
+        visit(node.first + 1, met);
+    }
+    forget(met.begin);
+}
+
+// The list's candidates that the shaft meets. Nodes are opened down to what is smaller than the
+// patch; all the way, if that leaves few.
+List Prover::meet_patch(const Shaft& shaft, double longest, List list) {
+    const uint32_t begin = top();
+    uint32_t pending[128];
+    for (uint32_t i = list.begin; i < list.end; ++i) {
+        const Candidate candidate = candidates_[i];
+        if (candidate.is_triangle()) {
+            candidates_.push_back(candidate); // judged later
+            continue;
+        }
+        uint32_t depth = 0;
+        pending[depth++] = candidate.index();
+        while (depth > 0) {
+            const uint32_t index = pending[--depth];
+            const TriangleNode& node = tree_.nodes[index];
+            if (!shaft.meets(node.box)) continue;
+            if (node.is_leaf() || half_perimeter(node.box) <= longest) {
+                candidates_.push_back(Candidate::node(index));
+            } else {
+                pending[depth++] = node.first + 1;
+                pending[depth++] = node.first;
+            }
+        }
+    }
+    return {begin, top()};
+}
+
+State Prover::prove_patch(const Shaft& shaft, double longest, List list, List& left) {
+    ++report_.proofs;
+    if (shaft.is_out_of_reach()) {
+        left = {top(), top()};
+        return State::hidden;
+    }
+    if (last_cover_ && shaft.judge(tree_.ordered[*last_cover_]) == Shaft::Verdict::covers) {
+        left = {top(), top()};
+        return State::hidden;
+    }
+    left = meet_patch(shaft, longest, list);
+    if (left.size() > kLong && longest > double(options_.patch_size)) return State::mixed;
+
+    // Triangle by triangle.
+    const uint32_t begin = top();
+    uint32_t pending[128];
+    const auto judge = [&](uint32_t triangle) {
+        const Shaft::Verdict verdict = shaft.judge(tree_.ordered[triangle]);
+        if (verdict == Shaft::Verdict::apart) return false;
+        candidates_.push_back(Candidate::triangle(triangle));
+        return verdict == Shaft::Verdict::covers;
+    };
+    for (uint32_t i = left.begin; i < left.end; ++i) {
+        const Candidate candidate = candidates_[i];
+        if (candidate.is_triangle()) {
+            if (!judge(candidate.index())) continue;
+            last_cover_ = candidate.index();
+            return State::hidden;
+        }
+        uint32_t depth = 0;
+        pending[depth++] = candidate.index();
+        while (depth > 0) {
+            const TriangleNode& node = tree_.nodes[pending[--depth]];
+            if (!shaft.meets(node.box)) continue;
+            if (!node.is_leaf()) {
+                pending[depth++] = node.first + 1;
+                pending[depth++] = node.first;
+                continue;
+            }
+            for (uint32_t j = node.first; j < node.first + node.count; ++j) {
+                if (!judge(j)) continue;
+                last_cover_ = j;
+                return State::hidden;
+            }
+        }
+    }
+    left = {begin, top()};
+    return left.size() == 0 ? State::lit : State::mixed;
+}
+
+void Prover::corners_of(const Receiver& receiver, float border, const Patch& patch,
+                        Vec3d (&corners)[3]) const {
+    const double step = 1.0 / double(1u << patch.level);
+    const double iu = double(patch.iu), iv = double(patch.iv);
+    const double places[2][3][2] = {{{iu, iv}, {iu + 1, iv}, {iu, iv + 1}},
+                                    {{iu + 1, iv + 1}, {iu, iv + 1}, {iu + 1, iv}}};
+    const double inner = 1 - 3 * double(border);
+    for (int k = 0; k < 3; ++k) {
+        const double u = double(border) + inner * places[patch.upper][k][0] * step;
+        const double v = double(border) + inner * places[patch.upper][k][1] * step;
+        corners[k] = receiver.v[0] * (1 - u - v) + receiver.v[1] * u + receiver.v[2] * v;
+    }
+}
+
+State Prover::prove_whole(const Receiver& receiver, float border, List list, List& left) {
+    Vec3d corners[3];
+    corners_of(receiver, border, {0, 0, 0, 0}, corners);
+    return prove_patch(Shaft(setting_, receiver, corners), receiver.longest, list, left);
+}
+
+void Prover::fill(const Patch& patch, State state) {
+    if (patch.level == level_) {
+        const uint32_t index = Grid::index(1u << level_, patch.iu, patch.iv, patch.upper);
+        out_.words()[first_word_ + index / 16] |= uint32_t(state) << index % 16 * 2;
+        return;
+    }
+    const uint32_t u = 2 * patch.iu, v = 2 * patch.iv, level = patch.level + 1;
+    if (patch.upper) {
+        fill({level, u + 1, v + 1, 1}, state);
+        fill({level, u, v + 1, 1}, state);
+        fill({level, u + 1, v, 1}, state);
+        fill({level, u + 1, v + 1, 0}, state);
+    } else {
+        fill({level, u, v, 0}, state);
+        fill({level, u + 1, v, 0}, state);
+        fill({level, u, v + 1, 0}, state);
+        fill({level, u, v, 1}, state);
+    }
+}
+
+// Of a mixed patch.
+void Prover::prove_quarters(const Receiver& receiver, const Patch& patch, List list) {
+    const uint32_t u = 2 * patch.iu, v = 2 * patch.iv, level = patch.level + 1;
+    const Patch lower[4] = {
+        {level, u, v, 0}, {level, u + 1, v, 0}, {level, u, v + 1, 0}, {level, u, v, 1}};
+    const Patch upper[4] = {{level, u + 1, v + 1, 1},
+                            {level, u, v + 1, 1},
+                            {level, u + 1, v, 1},
+                            {level, u + 1, v + 1, 0}};
+    const double longest = receiver.longest / double(1u << level);
+    for (const Patch& quarter : patch.upper ? upper : lower) {
+        Vec3d corners[3];
+        corners_of(receiver, Grid::kBorder[border_], quarter, corners);
+        const uint32_t end = top();
+        List left;
+        const State state = prove_patch(Shaft(setting_, receiver, corners), longest, list, left);
+        if (state == State::mixed && level < level_)
+            prove_quarters(receiver, quarter, left);
+        else
+            fill(quarter, state);
+        forget(end);
+    }
+}
+
+void Prover::prove_triangle(const TreeTriangle& triangle, List list) {
+    const Corners& corners = tree_.triangles[triangle.index];
+    const math::Box box = {glm::min(glm::min(corners.v[0], corners.v[1]), corners.v[2]),
+                           glm::max(glm::max(corners.v[0], corners.v[1]), corners.v[2])};
+    if (!is_within_reach(box)) return;
+    const Receiver receiver = make_receiver(setting_, corners, triangle);
+    const uint32_t end = top();
+    State state = State::mixed;
+    uint32_t border = 0;
+    if (!receiver.is_seen) {
+        state = State::hidden;
+    } else if (receiver.is_usable) {
+        uint32_t level = 0;
+        while (level < Grid::kMaxLevel
+               && receiver.longest > double(options_.patch_size) * double(1u << level))
+            ++level;
+        List left;
+        state = prove_whole(receiver, 0, list, left);
+        while (state == State::mixed && left.size() <= kTouching
+               && border < (level > 0 ? 1u : 2u)) {
+            list = left;
+            state = prove_whole(receiver, Grid::kBorder[++border], list, left);
+        }
+        const uint32_t words = ((1u << 2 * level) + 15) / 16;
+        if (state == State::mixed && level > 0
+            && out_.words().size() + words <= options_.most_words) {
+            level_ = level;
+            border_ = 1;
+            first_word_ = uint32_t(out_.words().size());
+            out_.words().resize(first_word_ + words, 0);
+            prove_quarters(receiver, {0, 0, 0, 0}, left);
+            out_.set(triangle.index, TriangleView(State::patches, border_, level_, first_word_));
+            state = State::patches;
+        }
+    }
+    forget(end);
+    ++report_.triangles[uint32_t(state)];
+    if (state == State::mixed) out_.set(triangle.index, TriangleView(State::mixed, 0));
+    if (state == State::lit || (state == State::hidden && border > 0))
+        out_.set(triangle.index, TriangleView(state, border));
+}
+
+} // namespace
+
+std::shared_ptr<const PointVisibility> prove(const TriangleTree& tree, const Setting& setting,
+                                             const ProofOptions& options, base::Memory* memory,
+                                             ProofReport& report) {
+    auto out = std::allocate_shared<PointVisibility>(
+        std::pmr::polymorphic_allocator<PointVisibility>(memory), uint32_t(tree.triangles.size()),
+        memory);
+    Prover(tree, setting, options, memory, *out, report).run();
+    return out;
+}
+
+} // namespace peregrine::trace::visibility
