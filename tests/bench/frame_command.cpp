@@ -146,7 +146,7 @@ private:
 
     void compare_with_exact(const Entrant& entrant, FrameRow& row) {
         report("beside the exact picture");
-        const std::unique_ptr<FrameStage> exact = make_stage(Look::exact);
+        const std::unique_ptr<FrameStage> exact = make_stage(RT_LIGHT_PROOFS_KEPT);
         FrameMemory truth(size_.width, size_.height);
         row.flip_mean = row.flip_worst_tile = 0;
         for (const host::Viewpoint& view : views_) {
