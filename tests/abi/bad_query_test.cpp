@@ -53,7 +53,7 @@ TEST_F(BadQuery, Fields) {
     refuse_both([](Query& q) { q.desc.kind = 4; }, kArgument, "rt_query_desc.kind is 4");
     refuse_both([](Query& q) { q.desc.kind = -1; }, kArgument, "rt_query_desc.kind is -1");
     refuse_both([](Query& q) { q.desc.faces = 3; }, kArgument, "rt_query_desc.faces is 3");
-    refuse_both([](Query& q) { q.desc.flags = 8; }, kArgument, "rt_query_desc.flags is 0x8");
+    refuse_both([](Query& q) { q.desc.flags = 64; }, kArgument, "rt_query_desc.flags is 0x40");
     refuse_both([](Query& q) { q.desc.coherence = 4; }, kArgument, "rt_query_desc.coherence is 4");
     refuse_both([](Query& q) { q.desc.coherence = -1; }, kArgument, "rt_query_desc.coherence");
     refuse_both([](Query& q) { q.desc.rays = nullptr; }, kArgument, "rt_query_desc.rays is null");

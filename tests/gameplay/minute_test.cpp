@@ -13,7 +13,7 @@ using gameplay::Replay;
 using gameplay::Tick;
 
 constexpr uint64_t kSeed = 1;
-constexpr uint64_t kLastHash = 12988497658941102269u; // of the whole minute, on every machine
+constexpr uint64_t kLastHash = 9248646437850458766u; // of the whole minute, on every machine
 
 Replay record(SmallGame& game) {
     Replay replay;

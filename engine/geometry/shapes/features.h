@@ -76,7 +76,8 @@ struct Face {
     // Whether the foot of p is on the face or, within its plane, `slack` outside of all edges. Each
     // edge is asked with the error of its own length; where two meet at a sharp angle the slack
     // would be long, so the extent along the longer side limits it.
-    bool holds(const Vec3d& p, double slack = 0) const {
+    // Inlined by order: as a call it costs nearest points a fiftieth of their instructions.
+    [[gnu::always_inline]] bool holds(const Vec3d& p, double slack = 0) const {
         const Vec3d w = p - corner;
         const double scale = slack * std::sqrt(nn);
         const double slack0 = scale * size_of(side0), slack1 = scale * size_of(side1);
