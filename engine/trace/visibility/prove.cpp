@@ -38,6 +38,9 @@ public:
     }
 
 private:
+    // The tree halves its triangles, of which there are less than 2^32, and a node on the way down
+    // leaves one behind.
+    static constexpr uint32_t kMaxDepth = 34;
     // Lists of more than this are not looked through triangle by triangle: quarters have shorter
     // ones.
     static constexpr uint32_t kLong = 24;
@@ -49,13 +52,15 @@ private:
     };
 
     void visit(uint32_t node_index, List list);
-    List meet_box(const math::Box& box, List list);
+    template <class AnyShaft>
+    List meet(const AnyShaft& shaft, double size, List list);
+    template <class AnyShaft, class Visit>
+    void descend(const AnyShaft& shaft, uint32_t start, Visit&& visit) const;
     void prove_triangle(const TreeTriangle& triangle, List list);
     State prove_whole(const Receiver& receiver, float border, List list, List& left);
     bool is_within_reach(const math::Box& box) const;
 
     State prove_patch(const Shaft& shaft, double longest, List list, List& left);
-    List meet_patch(const Shaft& shaft, double longest, List list);
     void prove_quarters(const Receiver& receiver, const Patch& patch, List list);
     void corners_of(const Receiver& receiver, float border, const Patch& patch,
                     Vec3d (&corners)[3]) const;
@@ -88,35 +93,46 @@ double half_perimeter(const math::Box& box) {
     return size.x + size.y + size.z;
 }
 
-// Those of the list that may be in the way of what is in the box; nodes larger than the box are
-// opened.
-List Prover::meet_box(const math::Box& box, List list) {
-    const BoxShaft shaft(setting_, box);
-    const double size = half_perimeter(box);
+// The list's candidates that the shaft meets. Nodes are opened down to those of the size; triangles
+// are judged later.
+template <class AnyShaft>
+List Prover::meet(const AnyShaft& shaft, double size, List list) {
     const uint32_t begin = top();
-    uint32_t pending[128]; // the tree is shallower
     for (uint32_t i = list.begin; i < list.end; ++i) {
-        uint32_t depth = 0;
-        pending[depth++] = candidates_[i].index();
-        while (depth > 0) {
-            const uint32_t index = pending[--depth];
-            const TriangleNode& node = tree_.nodes[index];
-            if (!shaft.meets(node.box)) continue;
-            if (node.is_leaf() || half_perimeter(node.box) <= size) {
-                candidates_.push_back(Candidate::node(index));
-            } else {
-                pending[depth++] = node.first + 1;
-                pending[depth++] = node.first;
-            }
+        const Candidate candidate = candidates_[i];
+        if (candidate.is_triangle()) {
+            candidates_.push_back(candidate);
+            continue;
         }
+        descend(shaft, candidate.index(), [&](uint32_t index, const TriangleNode& node) {
+            const bool is_small = node.is_leaf() || half_perimeter(node.box) <= size;
+            if (is_small) candidates_.push_back(Candidate::node(index));
+            return !is_small;
+        });
     }
     return {begin, top()};
+}
+
+// Calls visit(index, node) for the nodes from `start` down that the shaft meets, as long as it
+// returns true for those above.
+template <class AnyShaft, class Visit>
+void Prover::descend(const AnyShaft& shaft, uint32_t start, Visit&& visit) const {
+    uint32_t pending[kMaxDepth];
+    uint32_t depth = 0;
+    pending[depth++] = start;
+    while (depth > 0) {
+        const uint32_t index = pending[--depth];
+        const TriangleNode& node = tree_.nodes[index];
+        if (!shaft.meets(node.box) || !visit(index, node)) continue;
+        pending[depth++] = node.first + 1;
+        pending[depth++] = node.first;
+    }
 }
 
 void Prover::visit(uint32_t node_index, List list) {
     const TriangleNode& node = tree_.nodes[node_index];
     if (!is_within_reach(node.box)) return;
-    const List met = meet_box(node.box, list);
+    const List met = meet(BoxShaft(setting_, node.box), half_perimeter(node.box), list);
     if (node.is_leaf()) {
         for (uint32_t i = node.first; i < node.first + node.count; ++i)
             prove_triangle(tree_.ordered[i], met);
@@ -125,34 +141,6 @@ void Prover::visit(uint32_t node_index, List list) {
         visit(node.first + 1, met);
     }
     forget(met.begin);
-}
-
-// The list's candidates that the shaft meets. Nodes are opened down to what is smaller than the
-// patch; all the way, if that leaves few.
-List Prover::meet_patch(const Shaft& shaft, double longest, List list) {
-    const uint32_t begin = top();
-    uint32_t pending[128];
-    for (uint32_t i = list.begin; i < list.end; ++i) {
-        const Candidate candidate = candidates_[i];
-        if (candidate.is_triangle()) {
-            candidates_.push_back(candidate); // judged later
-            continue;
-        }
-        uint32_t depth = 0;
-        pending[depth++] = candidate.index();
-        while (depth > 0) {
-            const uint32_t index = pending[--depth];
-            const TriangleNode& node = tree_.nodes[index];
-            if (!shaft.meets(node.box)) continue;
-            if (node.is_leaf() || half_perimeter(node.box) <= longest) {
-                candidates_.push_back(Candidate::node(index));
-            } else {
-                pending[depth++] = node.first + 1;
-                pending[depth++] = node.first;
-            }
-        }
-    }
-    return {begin, top()};
 }
 
 State Prover::prove_patch(const Shaft& shaft, double longest, List list, List& left) {
@@ -165,42 +153,31 @@ State Prover::prove_patch(const Shaft& shaft, double longest, List list, List& l
         left = {top(), top()};
         return State::hidden;
     }
-    left = meet_patch(shaft, longest, list);
+    left = meet(shaft, longest, list);
     if (left.size() > kLong && longest > double(options_.patch_size)) return State::mixed;
 
     // Triangle by triangle.
     const uint32_t begin = top();
-    uint32_t pending[128];
+    bool is_hidden = false;
     const auto judge = [&](uint32_t triangle) {
         const Shaft::Verdict verdict = shaft.judge(tree_.ordered[triangle]);
-        if (verdict == Shaft::Verdict::apart) return false;
-        candidates_.push_back(Candidate::triangle(triangle));
-        return verdict == Shaft::Verdict::covers;
+        if (verdict != Shaft::Verdict::apart) candidates_.push_back(Candidate::triangle(triangle));
+        is_hidden = verdict == Shaft::Verdict::covers;
+        if (is_hidden) last_cover_ = triangle;
     };
-    for (uint32_t i = left.begin; i < left.end; ++i) {
+    for (uint32_t i = left.begin; i < left.end && !is_hidden; ++i) {
         const Candidate candidate = candidates_[i];
         if (candidate.is_triangle()) {
-            if (!judge(candidate.index())) continue;
-            last_cover_ = candidate.index();
-            return State::hidden;
+            judge(candidate.index());
+            continue;
         }
-        uint32_t depth = 0;
-        pending[depth++] = candidate.index();
-        while (depth > 0) {
-            const TriangleNode& node = tree_.nodes[pending[--depth]];
-            if (!shaft.meets(node.box)) continue;
-            if (!node.is_leaf()) {
-                pending[depth++] = node.first + 1;
-                pending[depth++] = node.first;
-                continue;
-            }
-            for (uint32_t j = node.first; j < node.first + node.count; ++j) {
-                if (!judge(j)) continue;
-                last_cover_ = j;
-                return State::hidden;
-            }
-        }
+        descend(shaft, candidate.index(), [&](uint32_t, const TriangleNode& node) {
+            if (!node.is_leaf()) return !is_hidden;
+            for (uint32_t j = node.first; j < node.first + node.count && !is_hidden; ++j) judge(j);
+            return false;
+        });
     }
+    if (is_hidden) return State::hidden;
     left = {begin, top()};
     return left.size() == 0 ? State::lit : State::mixed;
 }
