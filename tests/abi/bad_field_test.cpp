@@ -236,6 +236,14 @@ TEST_F(BadField, Commit) {
         desc.memory = value;
         refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.memory is ");
     }
+    for (const int32_t value : {-1, 2}) {
+        desc.light_proofs = value;
+        refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.light_proofs is ");
+    }
+    for (const float size : {-1.0f, 1e31f, kNan, kInfinity}) {
+        desc.proof_patch_size = size;
+        refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.proof_patch_size is ");
+    }
     desc.reserved = 1;
     refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.reserved is ");
     ASSERT_OK(move_lift(*world_, 3));

@@ -291,6 +291,11 @@ private:
         desc.structure = rt_structure(random_.below(5));
         desc.quality = rt_build_quality(random_.below(random_.one_in(9) ? 5 : 3));
         desc.memory = rt_memory(random_.below(random_.one_in(9) ? 3 : 2));
+        if (random_.one_in(3)) {
+            desc.light_proofs = rt_light_proofs(random_.below(random_.one_in(9) ? 3 : 2));
+            desc.most_proof_bytes = random_.below(1u << 16);
+            desc.proof_patch_size = random_.one_in(9) ? random_.number() : random_.unit();
+        }
         rt_commit_report report = rt_default_commit_report();
         if (random_.one_in(10)) desc.empty_bonus = random_.number();
         if (random_.one_in(20)) desc.struct_size = random_.below(24);
