@@ -21,7 +21,7 @@ TEST(FarMeshes, TriangleIsHitWhereItIs) {
         rt_ray down = ray;
         down.direction[1] = -1;
         const std::vector<rt_ray> rays(40, down);
-        for (const uint64_t count : {1, 5, 40})
+        for (const uint64_t count : {uint64_t(1), uint64_t(5), uint64_t(40)})
             for (const rt_coherence hint : {RT_COHERENCE_AUTO, RT_COHERENCE_COHERENT,
                                             RT_COHERENCE_COMMON_ORIGIN, RT_COHERENCE_INCOHERENT})
                 for (const bool with_stats : {false, true}) {
