@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "camera.h"
 #include "error.h"
 
 namespace host {
@@ -41,13 +42,7 @@ rt_commit_report Stage::commit(rt_structure structure, rt_build_quality quality,
 }
 
 rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, void* pixels) const {
-    rt_camera camera = rt_default_camera();
-    camera.vertical_fov = viewpoint.vertical_fov;
-    for (int i = 0; i < 3; ++i) {
-        camera.position[i] = viewpoint.position[i];
-        camera.forward[i] = viewpoint.forward[i];
-        camera.up[i] = viewpoint.up[i];
-    }
+    const rt_camera camera = camera_of(viewpoint);
     rt_frame_desc desc = rt_default_frame_desc();
     desc.format = frame.format;
     desc.pixels = pixels;

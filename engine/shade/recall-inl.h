@@ -17,7 +17,6 @@ namespace peregrine::shade::HWY_NAMESPACE {
 HWY_INLINE uint32_t recall_points(const trace::visibility::PointVisibility& visibility,
                                   const trace::visibility::TriangleView& view, const RayHits& hits,
                                   const TriangleRun& run, uint32_t* states) {
-    using hn::Rebind;
     using trace::visibility::Grid;
     using trace::visibility::State;
     const hn::Rebind<int32_t, Df> kS;

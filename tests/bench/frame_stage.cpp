@@ -3,6 +3,7 @@
 #include "timing.h"
 
 #include "animation/player.h"
+#include "camera.h"
 #include "cameras.h"
 #include "upload.h"
 
@@ -29,13 +30,7 @@ FrameStage::FrameStage(const rt_api& api, const host::Level& level, uint32_t thr
 
 RenderedFrame FrameStage::render(Look look, const host::Viewpoint& view,
                                  FrameMemory& memory) const {
-    rt_camera camera = rt_default_camera();
-    camera.vertical_fov = view.vertical_fov;
-    for (int k = 0; k < 3; ++k) {
-        camera.position[k] = view.position[k];
-        camera.forward[k] = view.forward[k];
-        camera.up[k] = view.up[k];
-    }
+    const rt_camera camera = host::camera_of(view);
     const rt_frame_desc desc = memory.frame(look);
     RenderedFrame frame{rt_default_frame_stats(), {}};
     const Seconds start = Seconds::now();

@@ -3,6 +3,7 @@
 #include "questions.h"
 #include "support/frame_look.h"
 
+#include "camera.h"
 #include "cameras.h"
 #include "gltf/import.h"
 #include "stage.h"
@@ -133,13 +134,7 @@ private:
 
     void render(Look look) {
         const host::Viewpoint& view = level_.cameras.at(0);
-        rt_camera camera = rt_default_camera();
-        camera.vertical_fov = view.vertical_fov;
-        for (int k = 0; k < 3; ++k) {
-            camera.position[k] = view.position[k];
-            camera.forward[k] = view.forward[k];
-            camera.up[k] = view.up[k];
-        }
+        const rt_camera camera = host::camera_of(view);
         const rt_frame_desc frame = memory_.frame(look);
         check(rt_render_frame(stage_.scene(), &camera, &frame, nullptr));
     }

@@ -4,6 +4,7 @@
 #include "support/frame_look.h"
 
 #include "animation/player.h"
+#include "camera.h"
 #include "cameras.h"
 #include "gltf/import.h"
 #include "upload.h"
@@ -112,17 +113,6 @@ void expect_planes(const std::string& name, const std::string& how, const host::
     expect_golden(name + "_mesh_ids", how, mesh_ids);
 }
 
-rt_camera camera_of(const host::Viewpoint& view) {
-    rt_camera camera = rt_default_camera();
-    camera.vertical_fov = view.vertical_fov;
-    for (int k = 0; k < 3; ++k) {
-        camera.position[k] = view.position[k];
-        camera.forward[k] = view.forward[k];
-        camera.up[k] = view.up[k];
-    }
-    return camera;
-}
-
 class Pictures : public testing::TestWithParam<Variant> {
 protected:
     void SetUp() override {
@@ -208,7 +198,7 @@ TEST_P(Pictures, Hall) {
     host::upload_level(*stage_, level, 0.1f);
     commit();
     const auto camera = [&](const char* name) {
-        return camera_of(level.cameras[host::find_camera(level.cameras, name)]);
+        return host::camera_of(level.cameras[host::find_camera(level.cameras, name)]);
     };
     expect("hall", camera("cam_hero"), frame_of(240, 135));
     expect("hall_library", camera("cam_library"), frame_of(128, 72));
@@ -222,7 +212,7 @@ TEST_P(Pictures, Mill) {
     commit();
     player.describe(1.75);
     commit();
-    expect("mill", camera_of(player.follow(level.cameras[0])), frame_of(240, 135));
+    expect("mill", host::camera_of(player.follow(level.cameras[0])), frame_of(240, 135));
 }
 
 INSTANTIATE_TEST_SUITE_P(By, Pictures, testing::ValuesIn(kVariants),
