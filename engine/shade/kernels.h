@@ -2,25 +2,17 @@
 
 #include "base/isa.h"
 #include "scene/snapshot.h"
-#include "shade/prepared_light.h"
-#include "shade/surface.h"
-#include "shade/triangle_shading.h"
+#include "shade/light/illumination.h"
+#include "shade/light/prepared_light.h"
+#include "shade/material/program.h"
+#include "shade/surface/ray_hits.h"
+#include "shade/surface/space.h"
+#include "shade/surface/surface.h"
 
 #include <array>
 #include <cstdint>
 
 namespace peregrine::shade {
-
-// A batch of primary rays and what they hit: at most kBatch rays; arrays readable up to the next
-// multiple of 16.
-struct RayHits {
-    const float* direction[3]; // any length
-    const float* u;
-    const float* v;
-    const uint32_t* triangle;
-    const uint32_t* back_face;
-    uint32_t count;
-};
 
 // What is remembered of a light at the points of a batch.
 struct Recalled {
@@ -41,8 +33,17 @@ using WeighLight = uint32_t (*)(const Surface& surface, uint32_t count, const Pr
                                 const Recalled& recalled, LightWeights& weights,
                                 const ShadowRays& rays);
 
-// By fall-off, and whether anything is specular.
-using WeighLights = std::array<std::array<WeighLight, 2>, scene::kFalloffCount>;
+// By fall-off and program.
+using WeighLights = std::array<ByProgram<WeighLight>, scene::kFalloffCount>;
+
+// Adds the weighed light.
+using AddLight = void (*)(const LightWeights& weights, uint32_t count, const math::Vec3& color,
+                          Illumination& sum);
+
+// Radiance toward the viewer.
+using FindRadiance = void (*)(const Surface& surface, const Illumination& light,
+                              const RayHits& hits, const scene::Environment& environment,
+                              float* const radiance[3]);
 
 // The loops over a batch, compiled for each instruction set; all of them give the same bits.
 struct Kernels {
@@ -57,13 +58,8 @@ struct Kernels {
 
     std::array<WeighLights, 3> weigh_light; // by type of light
 
-    // Adds the weighed light; whether specular.
-    void (*add_light[2])(const LightWeights& weights, uint32_t count, const math::Vec3& color,
-                         Illumination& sum);
-
-    // Radiance toward the viewer; whether specular, whether emissive.
-    void (*combine[2][2])(const Surface& surface, const Illumination& light, const RayHits& hits,
-                          const scene::Environment& environment, float* const radiance[3]);
+    ByProgram<AddLight> add_light;
+    std::array<ByProgram<FindRadiance>, 2> find_radiance; // whether emissive
 };
 
 // For this instruction set, or the plain one if it was not compiled. Does not ask the machine.

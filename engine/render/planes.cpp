@@ -1,4 +1,4 @@
-#include "render/visibility.h"
+#include "render/planes.h"
 
 #include "query/hit_stores.h"
 #include "query/surface.h"
@@ -29,7 +29,7 @@ struct TileNormals {
     Normal normal[kTileRays];
 
     // Neighbours often see the same triangle; a flat one has the same normal for all of them.
-    TileNormals(const scene::Snapshot& snapshot, const TileHits& hits, uint32_t count) {
+    TileNormals(const scene::Snapshot& snapshot, const TileBuffers& hits, uint32_t count) {
         uint32_t flat = geometry::kNoTriangle;
         Normal flat_normal = {};
         for (uint32_t i = 0; i < count; ++i) {
@@ -53,16 +53,17 @@ struct TileNormals {
 
 } // namespace
 
-void write_planes(const scene::Snapshot& snapshot, const Frame& frame, const Tile& tile,
-                  const TileHits& hits) {
-    if (frame.depth.data) write(frame.depth, tile, hits.t);
+void write_planes(const Plan& plan, TileBuffers& buffers) {
+    const Frame& frame = plan.frame;
+    const Tile& tile = buffers.tile;
+    if (frame.depth.data) write(frame.depth, tile, buffers.t);
     if (frame.triangle_ids.data || frame.mesh_ids.data) {
-        const TileIds ids(snapshot, hits.triangle, tile.count);
+        const TileIds ids(plan.snapshot, buffers.triangle, tile.count);
         if (frame.triangle_ids.data) write(frame.triangle_ids, tile, ids.triangle);
         if (frame.mesh_ids.data) write(frame.mesh_ids, tile, ids.mesh);
     }
     if (frame.normals.data)
-        write(frame.normals, tile, TileNormals(snapshot, hits, tile.count).normal);
+        write(frame.normals, tile, TileNormals(plan.snapshot, buffers, tile.count).normal);
 }
 
 } // namespace peregrine::render

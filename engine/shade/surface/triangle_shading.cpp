@@ -1,8 +1,8 @@
-#include "shade/triangle_shading.h"
+#include "shade/surface/triangle_shading.h"
 
 #include "geometry/lift.h"
 #include "scene/texture_sampling.h"
-#include "shade/highlight.h"
+#include "shade/material/highlight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +20,6 @@ Vec3 unit_normal(const Vec3* v) {
     const math::Vec3d n = glm::cross(a, b);
     const double length = std::sqrt(glm::dot(n, n));
     return length > 0 ? Vec3(n / length) : Vec3(0, 0, 1);
-}
-
-// Of a mesh that moves, in the world. Within a space of its own, what a ray's rounded origin is off
-// grows with the mesh's coordinates, which twice the largest covers, too.
-float reach_of(const SurfaceSpace& space, const math::Box& bounds,
-               const scene::Placement* placement) {
-    if (!placement)
-        return std::min(space.world_size, geometry::largest_side(bounds) + space.light_reach);
-    const Vec3 most = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
-    const auto own = float(placement->to_world.norm()) * 2 * std::max({most.x, most.y, most.z});
-    const auto condition = float(placement->condition);
-    return std::min(condition * space.world_size, own + condition * space.light_reach);
 }
 
 TextureOnTriangle place(const scene::TextureUse& use, const scene::MeshData& mesh,
@@ -84,17 +72,6 @@ void gather_tangents(const scene::MeshData& mesh, const std::array<uint32_t, 3>&
 
 } // namespace
 
-// Lights that shine farther than a level is large do not make all of a wide world's surfaces rise.
-SurfaceSpace::SurfaceSpace(const trace::World& world, const math::Vec3d& origin_,
-                           float light_radius)
-    : origin(origin_), is_elsewhere(origin_ != math::Vec3d(0)),
-      world_size(geometry::largest_side(world.bounds)),
-      fixed_size(geometry::largest_side(world.fixed.target.bounds)) {
-    constexpr float kLevel = 256; // metres
-    light_reach = std::min({light_radius, world_size, std::max(fixed_size, kLevel)});
-    fixed_reach = std::min(world_size, fixed_size + light_reach);
-}
-
 void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangle_index,
             bool back_face, const SurfaceSpace& space, TriangleShading& out) {
     const geometry::TriangleInfo triangle = trace::info(snapshot.world, triangle_index);
@@ -109,7 +86,7 @@ void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangl
         for (uint32_t k = 0; k < 3; ++k) out.normal[k] = mesh.normals[vertices[k]];
     const scene::Placement* const placement = snapshot.placement_of(slot);
     const float reach =
-        slot.shape ? reach_of(space, slot.shape->bounds(), placement) : space.fixed_reach;
+        slot.shape ? space.reach_of(slot.shape->bounds(), placement) : space.fixed_reach;
     Vec3 in_world;
     const bool is_moved = space.is_elsewhere && !placement;
     if (placement) {

@@ -34,16 +34,4 @@ struct alignas(64) Surface {
 };
 static_assert(sizeof(Surface::Lanes) % 64 == 0);
 
-// Light that arrived at a batch.
-struct alignas(64) Illumination {
-    Surface::Lanes irradiance[3];
-    Surface::Lanes highlight[3]; // irradiance times the lobe
-};
-
-// What one light gives to a batch, in parts of its colour.
-struct alignas(64) LightWeights {
-    Surface::Lanes diffuse; // fall-off times cosine
-    Surface::Lanes lobe;    // times this: the highlight
-};
-
 } // namespace peregrine::shade

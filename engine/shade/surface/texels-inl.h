@@ -9,8 +9,8 @@
 #include <hwy/cache_control.h>
 
 #include "scene/texture_sampling.h"
-#include "shade/triangle_shading.h"
-#include "shade/vectors-inl.h"
+#include "shade/surface/triangle_shading.h"
+#include "shade/surface/weights-inl.h"
 
 #include <algorithm>
 

@@ -7,11 +7,15 @@
 #define PEREGRINE_SHADE_RECALL_INL_H
 #endif
 
-#include "shade/kernels.h"
-#include "shade/vectors-inl.h"
+#include "shade/surface/ray_hits.h"
+#include "shade/surface/surface.h"
+#include "simd/vectors-inl.h"
+#include "trace/visibility/point_visibility.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
 
 // The operations of PointVisibility::at, for a run of rays that hit one triangle.
 HWY_INLINE uint32_t recall_points(const trace::visibility::PointVisibility& visibility,

@@ -2,7 +2,7 @@
 
 #include "math/box.h"
 #include "scene/light.h"
-#include "shade/falloff.h"
+#include "shade/light/falloff.h"
 #include "trace/visibility/point_visibility.h"
 
 #include <algorithm>

@@ -1,17 +1,17 @@
 // Packs the lanes of a mask. Included once for each instruction set.
-#if defined(PEREGRINE_SHADE_COMPRESS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef PEREGRINE_SHADE_COMPRESS_INL_H
-#undef PEREGRINE_SHADE_COMPRESS_INL_H
+#if defined(PEREGRINE_SIMD_COMPRESS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_SIMD_COMPRESS_INL_H
+#undef PEREGRINE_SIMD_COMPRESS_INL_H
 #else
-#define PEREGRINE_SHADE_COMPRESS_INL_H
+#define PEREGRINE_SIMD_COMPRESS_INL_H
 #endif
 
-#include "shade/vectors-inl.h"
+#include "simd/vectors-inl.h"
 
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace peregrine::shade::HWY_NAMESPACE {
+namespace peregrine::simd::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_SCALAR
 // In a register: compressing to memory is slow in hardware.
@@ -57,6 +57,6 @@ private:
 };
 #endif
 
-} // namespace peregrine::shade::HWY_NAMESPACE
+} // namespace peregrine::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

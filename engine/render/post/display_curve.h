@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace peregrine::render {
+namespace peregrine::render::post {
 
 // Linear light to 8-bit sRGB codes (IEC 61966-2-1) through a tone curve, equal to the exactly
 // rounded value of the formulas. A code begins at a threshold. Floats are binned by their upper
@@ -44,4 +44,4 @@ inline float filmic_tone(float x) {
     return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
 }
 
-} // namespace peregrine::render
+} // namespace peregrine::render::post

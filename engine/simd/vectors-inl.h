@@ -1,20 +1,20 @@
-// Vectors of Highway's lanes, three to a point. Included once for each instruction set.
-#if defined(PEREGRINE_SHADE_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef PEREGRINE_SHADE_VECTORS_INL_H
-#undef PEREGRINE_SHADE_VECTORS_INL_H
+// As many floats as the machine takes at a time, and three such vectors to a point. Included once
+// for each instruction set.
+#if defined(PEREGRINE_SIMD_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_SIMD_VECTORS_INL_H
+#undef PEREGRINE_SIMD_VECTORS_INL_H
 #else
-#define PEREGRINE_SHADE_VECTORS_INL_H
+#define PEREGRINE_SIMD_VECTORS_INL_H
 #endif
 
 #include <hwy/highway.h>
 
 #include "math/vec.h"
-#include "shade/surface.h"
 
 // Every operation is lane by lane and rounds once (no FMA, no estimates), so the number of lanes
 // does not show in the image.
 HWY_BEFORE_NAMESPACE();
-namespace peregrine::shade::HWY_NAMESPACE {
+namespace peregrine::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -37,11 +37,13 @@ HWY_INLINE V3 splat(const math::Vec3& v) {
     return {splat(v.x), splat(v.y), splat(v.z)};
 }
 
-HWY_INLINE V3 load(const Surface::Lanes* lanes, uint32_t i) {
+template <size_t Count>
+HWY_INLINE V3 load(const float (*lanes)[Count], uint32_t i) {
     return {hn::LoadU(kF, lanes[0] + i), hn::LoadU(kF, lanes[1] + i), hn::LoadU(kF, lanes[2] + i)};
 }
 
-HWY_INLINE void store(const V3& v, Surface::Lanes* lanes, uint32_t i) {
+template <size_t Count>
+HWY_INLINE void store(const V3& v, float (*lanes)[Count], uint32_t i) {
     hn::StoreU(v.x, kF, lanes[0] + i);
     hn::StoreU(v.y, kF, lanes[1] + i);
     hn::StoreU(v.z, kF, lanes[2] + i);
@@ -57,6 +59,10 @@ HWY_INLINE V3 subtract(const V3& a, const V3& b) {
 
 HWY_INLINE V3 scale(const V3& a, Vf s) {
     return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+
+HWY_INLINE V3 multiply(const V3& a, const V3& b) {
+    return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
 }
 
 HWY_INLINE Vf dot(const V3& a, const V3& b) {
@@ -87,26 +93,6 @@ HWY_INLINE V3 flip(const V3& v, Vf sign) {
     return {hn::Xor(v.x, bit), hn::Xor(v.y, bit), hn::Xor(v.z, bit)};
 }
 
-// Weights of the vertices at barycentrics (u, v).
-struct Weights {
-    Vf w0, w1, w2;
-};
-
-HWY_INLINE Weights weights(const float* u, const float* v, uint32_t i) {
-    const Vf w1 = hn::LoadU(kF, u + i), w2 = hn::LoadU(kF, v + i);
-    return {hn::Sub(hn::Sub(splat(1.0f), w1), w2), w1, w2};
-}
-
-HWY_INLINE Vf blend(const Weights& w, float a, float b, float c) {
-    return hn::Add(hn::Add(hn::Mul(w.w0, splat(a)), hn::Mul(w.w1, splat(b))),
-                   hn::Mul(w.w2, splat(c)));
-}
-
-HWY_INLINE V3 blend(const Weights& w, const math::Vec3* v) {
-    return {blend(w, v[0].x, v[1].x, v[2].x), blend(w, v[0].y, v[1].y, v[2].y),
-            blend(w, v[0].z, v[1].z, v[2].z)};
-}
-
-} // namespace peregrine::shade::HWY_NAMESPACE
+} // namespace peregrine::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

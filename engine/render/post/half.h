@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace peregrine::render {
+namespace peregrine::render::post {
 
 // IEEE 754 binary16, rounded to nearest, ties to even.
 inline uint16_t to_half(float value) {
@@ -21,4 +21,4 @@ inline uint16_t to_half(float value) {
     return uint16_t(sign | ((magnitude - 0x38000000u + 0xfffu + odd) >> 13));
 }
 
-} // namespace peregrine::render
+} // namespace peregrine::render::post

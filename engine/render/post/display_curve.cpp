@@ -1,9 +1,9 @@
-#include "render/display_curve.h"
+#include "render/post/display_curve.h"
 
 #include <cmath>
 #include <limits>
 
-namespace peregrine::render {
+namespace peregrine::render::post {
 namespace {
 
 double srgb_to_linear(double encoded) {
@@ -51,4 +51,4 @@ DisplayCurve::DisplayCurve(double (*inverse)(double)) {
     }
 }
 
-} // namespace peregrine::render
+} // namespace peregrine::render::post
