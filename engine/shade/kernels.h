@@ -36,6 +36,10 @@ using WeighLight = uint32_t (*)(const Surface& surface, uint32_t count, const Pr
 // By fall-off and program.
 using WeighLights = std::array<ByProgram<WeighLight>, scene::kFalloffCount>;
 
+// What lies at the hits. `features`: what to look at (scene::Feature bits).
+using FindSurfaces = void (*)(const scene::Snapshot& snapshot, uint32_t features,
+                              const SurfaceSpace& space, const RayHits& hits, Surface& out);
+
 // Adds the weighed light.
 using AddLight = void (*)(const LightWeights& weights, uint32_t count, const math::Vec3& color,
                           Illumination& sum);
@@ -47,9 +51,7 @@ using FindRadiance = void (*)(const Surface& surface, const Illumination& light,
 
 // The loops over a batch, compiled for each instruction set; all of them give the same bits.
 struct Kernels {
-    // What lies at the hits. `features`: what to look at (scene::Feature bits).
-    void (*find_surfaces)(const scene::Snapshot& snapshot, uint32_t features,
-                          const SurfaceSpace& space, const RayHits& hits, Surface& out);
+    std::array<FindSurfaces, 3> find_surfaces; // by SurfacePart
 
     // What is remembered of the light at each point, as visibility::State; returns which of them
     // occur, as bits.

@@ -27,7 +27,8 @@ Shader::Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
       features_(features), program_(program_for(features)), traces_shadows_(shadows) {}
 
 void Shader::find_surfaces(const RayHits& hits, Scratch& scratch) const {
-    kernels_->find_surfaces(*snapshot_, features_, space_, hits, scratch.surface);
+    const FindSurfaces find = kernels_->find_surfaces[uint32_t(SurfacePart::all)];
+    find(*snapshot_, features_, space_, hits, scratch.surface);
 }
 
 void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const {

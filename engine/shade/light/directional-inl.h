@@ -21,9 +21,7 @@ struct DirectionalLight {
         return in;
     }
 
-    static HWY_INLINE Vf shape(const PreparedLight&, const Incidence&, Vf weight) {
-        return weight;
-    }
+    static HWY_INLINE Vf shape(const PreparedLight&, const Incidence&, Vf weight) { return weight; }
 };
 
 } // namespace peregrine::shade::HWY_NAMESPACE

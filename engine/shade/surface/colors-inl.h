@@ -27,10 +27,8 @@ HWY_INLINE void find_colors(const TriangleShading& triangle, uint32_t features, 
                        });
     else
         fill(base, run, out.albedo);
-    if (features & scene::kSpecular) {
+    if (features & scene::kSpecular)
         fill(material.specular * triangle.highlight_gain, run, out.specular);
-        fill(material.shininess, run, out.shininess);
-    }
     if (!(features & scene::kEmissive)) return;
     if (triangle.emissive.texture)
         sample_texture(triangle.emissive, hits.u, hits.v, run.begin, run.end,

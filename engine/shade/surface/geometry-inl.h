@@ -13,8 +13,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
-HWY_INLINE void find_geometry(const TriangleShading& triangle, const RayHits& hits, Run run,
-                              Surface& out) {
+HWY_INLINE void find_geometry(const TriangleShading& triangle, uint32_t features,
+                              const RayHits& hits, Run run, Surface& out) {
+    if (features & scene::kSpecular) fill(triangle.material->shininess, run, out.shininess);
     const V3 geometric = splat(triangle.geometric);
     const V3 lift = splat(triangle.lift);
     for (uint32_t i = run.begin; i < run.end; i += kLanes) {

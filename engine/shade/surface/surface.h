@@ -14,21 +14,28 @@ struct TriangleRun {
     uint32_t begin, end;
 };
 
+// What is asked about surfaces: what light wants to know, how they look, or both.
+enum class SurfacePart : uint32_t { all = 0, geometry = 1, colors = 2 };
+
 // What lies at the hits of a batch of rays, as separate arrays. A ray that missed has zero normals
 // and so catches no light.
 struct alignas(64) Surface {
     using Lanes = float[kPadded];
 
+    // Of SurfacePart::geometry.
     Lanes position[3];  // in a SurfaceSpace, lifted off the surface: shadow rays begin here
     Lanes geometric[3]; // unit normal of the triangle, toward the viewer
     Lanes normal[3];    // unit shading normal
     Lanes bend;         // 1 / (geometric . normal)
+    Lanes mirror[3];    // unit, the view mirrored by `normal`; it and ...
+    Lanes shininess;    // ... this with kSpecular
+    math::Box bounds;   // of the positions that were hit
+
+    // Of SurfacePart::colors.
     Lanes albedo[3];
-    Lanes mirror[3]; // unit, the view mirrored by `normal`; with kSpecular
-    Lanes specular[3];
-    Lanes shininess;
+    Lanes specular[3]; // with kSpecular
     Lanes emissive[3]; // with kEmissive
-    math::Box bounds;  // of the positions that were hit
+
     uint32_t run_count;
     TriangleRun runs[kBatch];
 };

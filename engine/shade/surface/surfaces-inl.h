@@ -13,18 +13,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
-// Neighbouring rays mostly hit the same triangle. Each run of them is shaded with that triangle's
-// data in registers: what the scene or the triangle lacks is asked once a run, not once a pixel.
+template <SurfacePart Part>
 HWY_INLINE void miss(uint32_t features, Run run, Surface& out) {
     const math::Vec3 zero(0);
-    fill(zero, run, out.position);
-    fill(zero, run, out.geometric);
-    fill(zero, run, out.normal);
+    if constexpr (Part != SurfacePart::colors) {
+        fill(zero, run, out.position);
+        fill(zero, run, out.geometric);
+        fill(zero, run, out.normal);
+        if (features & scene::kSpecular) fill(1.0f, run, out.shininess);
+    }
+    if constexpr (Part == SurfacePart::geometry) return;
     fill(zero, run, out.albedo);
     if (features & scene::kEmissive) fill(zero, run, out.emissive);
-    if (!(features & scene::kSpecular)) return;
-    fill(zero, run, out.specular);
-    fill(1.0f, run, out.shininess);
+    if (features & scene::kSpecular) fill(zero, run, out.specular);
 }
 
 // What is the same for all rays: unit normals, and what follows from them.
@@ -61,6 +62,9 @@ HWY_INLINE void finish(uint32_t features, const RayHits& hits, Surface& out) {
                         hn::GetLane(hn::MaxOfLanes(kF, upper.z))};
 }
 
+// Neighbouring rays mostly hit the same triangle. Each run of them is shaded with that triangle's
+// data in registers: what the scene or the triangle lacks is asked once a run, not once a pixel.
+template <SurfacePart Part>
 HWY_ATTR void find_surfaces(const scene::Snapshot& snapshot, uint32_t features,
                             const SurfaceSpace& space, const RayHits& hits, Surface& out) {
     TriangleShading triangle;
@@ -70,16 +74,19 @@ HWY_ATTR void find_surfaces(const scene::Snapshot& snapshot, uint32_t features,
         begin = run.end;
         out.runs[out.run_count++] = run;
         if (hits.triangle[run.begin] == geometry::kNoTriangle) {
-            miss(features, run, out);
+            miss<Part>(features, run, out);
             continue;
         }
         const bool back_face = hits.back_face[run.begin] != 0;
         gather(snapshot, features, hits.triangle[run.begin], back_face, space, triangle);
-        find_geometry(triangle, hits, run, out);
-        if (triangle.normal_map.texture) map_normals(triangle, hits, run, back_face, out);
-        find_colors(triangle, features, hits, run, out);
+        if constexpr (Part != SurfacePart::colors) {
+            find_geometry(triangle, features, hits, run, out);
+            if (triangle.normal_map.texture) map_normals(triangle, hits, run, back_face, out);
+        }
+        if constexpr (Part != SurfacePart::geometry)
+            find_colors(triangle, features, hits, run, out);
     }
-    finish(features, hits, out);
+    if constexpr (Part != SurfacePart::colors) finish(features, hits, out);
 }
 
 } // namespace peregrine::shade::HWY_NAMESPACE
