@@ -27,7 +27,8 @@ trace::Filter primary_filter(const scene::Snapshot& snapshot) {
     return filter;
 }
 
-constexpr double kFar = 1024; // metres
+constexpr double kFar = 1024;      // metres
+constexpr float kUnseen = 0.0007f; // radiance: half a step of the filmic curve in the dark
 
 // What surfaces and lights are relative to while they are shaded: the world's origin, or the eye if
 // it sees meshes that keep their precision far away from there.
@@ -52,8 +53,8 @@ shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera,
     return shader;
 }
 
-Stage stage_of(View view) {
-    switch (view) {
+Stage stage_of(const Frame& frame) {
+    switch (frame.view) {
     case View::normals:
         return show_normals;
     case View::depth:
@@ -61,7 +62,7 @@ Stage stage_of(View view) {
     case View::steps:
         return show_steps;
     default:
-        return shade_tile;
+        return frame.approximations.light_block > 1 ? shade_blocks : shade_tile;
     }
 }
 
@@ -71,11 +72,13 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
            base::Vector<shade::PreparedLight>& lights)
     : snapshot(snapshot_), frame(frame_), pinhole(camera, frame_.width, frame_.height),
       eye(camera.position), filter(primary_filter(snapshot_)),
-      shader(make_shader(snapshot_, camera, frame_, lights)) {
+      shader(make_shader(snapshot_, camera, frame_, lights)),
+      block_light(shader, snapshot_.environment, frame_.approximations.light_tolerance,
+                  glm::length(pinhole.right), kUnseen / frame_.exposure) {
     add(trace_primary_rays);
     if (frame.wants_planes()) add(write_planes);
     if (!frame.pixels) return;
-    add(stage_of(frame.view));
+    add(stage_of(frame));
     add(post::tones_of(frame));
     add(post::encoder_of(frame));
 }

@@ -5,7 +5,10 @@
 
 namespace peregrine::render {
 
-// A stage: from hits to radiance.
+// Stages from hits to radiance: every ray for itself, ...
 void shade_tile(const Plan& plan, TileBuffers& buffers);
+
+// ... or light in blocks (shade/blocks).
+void shade_blocks(const Plan& plan, TileBuffers& buffers);
 
 } // namespace peregrine::render

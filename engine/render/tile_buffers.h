@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/tile.h"
+#include "shade/blocks/tile_light.h"
 #include "shade/scratch.h"
 #include "shade/surface/ray_hits.h"
 
@@ -25,6 +26,7 @@ struct alignas(64) TileBuffers {
 
     TileColors colors; // radiance, then display values
     shade::Scratch scratch;
+    shade::TileLight light;
 
     // Calls function(hits, first) for batches of the tile's rays, `first` being a batch's first.
     template <class Function>

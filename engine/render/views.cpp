@@ -7,7 +7,7 @@ namespace peregrine::render {
 
 void show_normals(const Plan& plan, TileBuffers& buffers) {
     buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
-        plan.shader.find_surfaces(hits, buffers.scratch);
+        plan.shader.find_surfaces(hits, shade::SurfacePart::geometry, buffers.scratch);
         for (uint32_t k = 0; k < 3; ++k)
             for (uint32_t i = 0; i < hits.count; ++i)
                 buffers.colors.channel[k][first + i] =

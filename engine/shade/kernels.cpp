@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "shade/blocks/blocks-inl.h"
 #include "shade/kernels.h"
 #include "shade/light/directional-inl.h"
 #include "shade/light/point-inl.h"
@@ -64,6 +65,8 @@ constexpr Kernels kKernels = {
     weigh_by_kind(LightKinds()),
     add_by_program(Programs()),
     {radiance_by_program<false>(Programs()), radiance_by_program<true>(Programs())},
+    block_is_smooth,
+    interpolate_block,
 };
 
 } // namespace peregrine::shade::HWY_NAMESPACE

@@ -14,9 +14,16 @@
 
 namespace peregrine::shade {
 
-// What is remembered of a light at the points of a batch.
+// What is known of the way from a point to a light. The first ones are trace::visibility::State.
+enum class PointState : uint32_t {
+    hidden = 0, // it is blocked
+    lit = 1,    // nothing fixed is in the way
+    mixed = 2,  // nothing: it is to be traced
+    seen = 3,   // nothing at all is in the way
+};
+
 struct Recalled {
-    const uint32_t* states = nullptr; // visibility::State; null: nothing
+    const uint32_t* states = nullptr; // PointState of each point; null: all are mixed
     bool traces_lit = false; // something moves in between: rays are listed for lit points, too
 };
 
@@ -62,6 +69,10 @@ struct Kernels {
 
     ByProgram<AddLight> add_light;
     std::array<ByProgram<FindRadiance>, 2> find_radiance; // whether emissive
+
+    // Of light in blocks (blocks/blocks-inl.h).
+    bool (*block_is_smooth)(const float* t, uint32_t side, float pixel);
+    void (*interpolate_block)(float* values, uint32_t side);
 };
 
 // For this instruction set, or the plain one if it was not compiled. Does not ask the machine.
