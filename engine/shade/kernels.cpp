@@ -1,5 +1,5 @@
 // The shading loops, compiled once for each instruction set.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shade/kernels.cpp"
@@ -49,7 +49,7 @@ constexpr Kernels kKernels = {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::shade {
 

@@ -9,8 +9,8 @@
 #include <hwy/highway.h>
 
 #include "geometry/intersect.h"
+#include "simd/lanes-inl.h"
 #include "trace/kernels.h"
-#include "trace/lanes-inl.h"
 #include "trace/slabs.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 inline constexpr uint32_t kGroupRays = 32;
 inline constexpr uint32_t kGroups = 16; // bits of a uint32_t tell which ones

@@ -22,7 +22,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // Judges a group's candidates: kernel.take(at, hits, dz, index) hears of those of eight rays up to
 // kernel.end(at), kernel.test_one(block, lane, at) is asked for those whose main axis is another;
@@ -120,6 +120,9 @@ private:
     const Filter& filter_;
     HitBoard board_;
 };
+
+// Whether rays that have nothing in common go in waves (wave-inl.h), not one by one.
+constexpr bool kWaves = HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3;
 
 template <bool Filtered>
 class OccludedBeam {

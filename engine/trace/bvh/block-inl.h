@@ -10,16 +10,16 @@
 
 #include "accel/bvh/tree.h"
 #include "geometry/intersect.h"
+#include "simd/lanes-inl.h"
 #include "trace/bvh/four_triangles-inl.h"
 #include "trace/bvh/push-inl.h"
-#include "trace/lanes-inl.h"
 
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // The edge functions in float. Rounding is monotone: one that is not 0 has the sign of the exact
 // one, so `outside` lanes are missed for certain, and in `inside` lanes only t can miss.

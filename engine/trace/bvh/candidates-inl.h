@@ -9,14 +9,14 @@
 
 #include <hwy/highway.h>
 
+#include "simd/lanes-inl.h"
 #include "trace/bvh/beam-inl.h"
 #include "trace/bvh/facet-inl.h"
-#include "trace/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // Rays of a group, as bits.
 struct Candidates {

@@ -7,11 +7,11 @@
 #define PEREGRINE_TRACE_BVH_DECODE_INL_H
 #endif
 
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include "simd/lanes-inl.h"
+#include "simd/memory-inl.h"
 #include "trace/bvh/decode.h"
-#include "trace/lanes-inl.h"
 
 #include <cstring>
 #include <limits>
@@ -19,21 +19,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 using accel::bvh::kWidth;
-
-HWY_INLINE HWY_ATTR void prefetch_lines(const void* at, uint32_t lines) {
-    for (uint32_t line = 0; line < lines; ++line)
-        hwy::Prefetch(static_cast<const char*>(at) + 64 * line);
-}
-
-// Eight bytes, or four, as floats.
-HWY_INLINE HWY_ATTR V8 load_bytes(const uint8_t* bytes) {
-    const hn::Rebind<uint8_t, D8> u8;
-    const hn::RebindToSigned<D8> i8;
-    return hn::ConvertTo(k8, hn::PromoteTo(i8, hn::LoadU(u8, bytes)));
-}
 
 // All but the order of octants 4 to 7. As in CompactNode::plane products are exact, so they may be
 // fused.

@@ -9,13 +9,13 @@
 #include <hwy/highway.h>
 
 #include "accel/bvh/tree.h"
+#include "simd/lanes-inl.h"
 #include "trace/bvh/beam-inl.h"
-#include "trace/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 using accel::bvh::Block;
 

@@ -9,15 +9,16 @@
 #include <hwy/highway.h>
 
 #include "geometry/intersect.h"
+#include "simd/lanes-inl.h"
 #include "trace/eight_rays-inl.h"
 #include "trace/kernels.h"
-#include "trace/lanes-inl.h"
 
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
+using namespace simd::HWY_NAMESPACE;
 using namespace trace::HWY_NAMESPACE;
 
 // Rays count from `first` of the streams. While a ray has no hit, its t is where it ends. Until

@@ -15,6 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
+using namespace simd::HWY_NAMESPACE;
 using namespace trace::HWY_NAMESPACE;
 
 // The facet in all lanes: geometry/intersect.h with what rays of a common origin share taken out

@@ -8,16 +8,16 @@
 
 #include <hwy/highway.h>
 
+#include "simd/lanes-inl.h"
 #include "trace/bvh/beam-inl.h"
 #include "trace/bvh/facet-inl.h"
-#include "trace/lanes-inl.h"
 
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // Shadow rays end just before a surface, which their groups would meet leaf by leaf to find that
 // each ray ends before it. So each group gets a plane,

@@ -10,9 +10,9 @@
 #include <hwy/highway.h>
 
 #include "geometry/intersect.h"
+#include "simd/lanes-inl.h"
 #include "trace/bvh/beam-inl.h"
 #include "trace/kernels.h"
-#include "trace/lanes-inl.h"
 #include "trace/slabs.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 inline constexpr uint32_t kBundleRays = 8; // a bundle is what leaves are tested with
 inline constexpr uint32_t kBundles = 32;   // bits of a uint32_t tell which ones

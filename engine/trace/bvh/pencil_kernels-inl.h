@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // A triangle relative to eight rays of a bundle whose main axis is the pencil's: step 3 of
 // geometry/intersect.h.

@@ -16,6 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
+using namespace simd::HWY_NAMESPACE;
 using namespace trace::HWY_NAMESPACE;
 
 // Boxes in the pencil's coordinates, widened; lanes are children or triangles.

@@ -11,8 +11,8 @@
 
 #include "math/box.h"
 #include "math/ray.h"
+#include "simd/lanes-inl.h"
 #include "trace/bvh/views-inl.h"
-#include "trace/lanes-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -20,7 +20,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // A ray's origin and direction, x, y, z and something else, and what they span;
 // each number of `reach` and `largest` is in all lanes.
@@ -43,10 +43,6 @@ struct RayLanes {
         const V4 size = hn::Abs(direction);
         largest = largest_of_three(size);
         kz = uint32_t(std::countr_zero(bits_of(k4, hn::Eq(size, largest)) | 4u));
-    }
-
-    static HWY_INLINE HWY_ATTR V4 largest_of_three(V4 v) {
-        return hn::Max(hn::Broadcast<0>(v), hn::Max(hn::Broadcast<1>(v), hn::Broadcast<2>(v)));
     }
 };
 

@@ -10,7 +10,8 @@
 #include <hwy/highway.h>
 
 #include "accel/bvh/tree.h"
-#include "trace/lanes-inl.h"
+#include "simd/lanes-inl.h"
+#include "simd/vectors-inl.h"
 #include "trace/shapes/volume.h"
 
 #include <algorithm>
@@ -19,33 +20,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 using accel::bvh::Block;
 
-struct Vec4 {
-    V4 x, y, z;
-};
+// Three coordinates of four points.
+using Vec4 = Vec3<V4>;
 
 HWY_INLINE HWY_ATTR Vec4 splat(const math::Vec3d& v) {
     return {hn::Set(k4, float(v.x)), hn::Set(k4, float(v.y)), hn::Set(k4, float(v.z))};
 }
-HWY_INLINE HWY_ATTR Vec4 operator-(const Vec4& a, const Vec4& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-HWY_INLINE HWY_ATTR V4 dot(const Vec4& a, const Vec4& b) {
-    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
-}
-HWY_INLINE HWY_ATTR Vec4 cross(const Vec4& a, const Vec4& b) {
-    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
-            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
-}
 // At least the length: what a square loses in the denormal range is put in front.
 HWY_INLINE HWY_ATTR V4 length(const Vec4& v) {
     return hn::Sqrt(hn::Add(dot(v, v), hn::Set(k4, 0x1p-130f)));
-}
-// The largest component, without its sign.
-HWY_INLINE HWY_ATTR V4 largest(const Vec4& v) {
-    return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z)));
 }
 
 struct FourTriangles {

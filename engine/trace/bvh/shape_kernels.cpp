@@ -1,7 +1,7 @@
 // Shapes in the wide BVH, compiled once for each instruction set: boxes and triangles in float,
 // with bounds on what that may miss; what they leave open is decided by the canonical tests, which
 // no instruction set changes.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/bvh/shape_kernels.cpp"
@@ -359,7 +359,7 @@ HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::trace::bvh {
 

@@ -10,14 +10,14 @@
 #include <hwy/highway.h>
 
 #include "accel/bvh/tree.h"
+#include "simd/lanes-inl.h"
 #include "trace/bvh/push-inl.h"
-#include "trace/lanes-inl.h"
 #include "trace/shapes/volume.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // The children of a node that something reaches, and when: smaller is sooner, and not negative.
 struct Reached {

@@ -1,6 +1,6 @@
 // The kernels of the wide BVH, compiled once for each instruction set. The same operations in the
 // same order as geometry/intersect.h wherever a hit is decided, so the same bits.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/bvh/simd_kernels.cpp"
@@ -113,7 +113,7 @@ HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::trace::bvh {
 

@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // Goes through the nodes that the ray may touch up to t_max, roughly from near
 // to far. `leaf(link)` may lower t_max. Returns the number of nodes visited.

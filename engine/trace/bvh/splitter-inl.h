@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // A look at a few rays: whether they seem to start at one point.
 inline bool may_be_beam(const RayStream& rays, uint32_t first, uint32_t count) {

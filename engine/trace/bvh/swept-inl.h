@@ -10,7 +10,7 @@
 #include <hwy/highway.h>
 
 #include "math/box.h"
-#include "trace/lanes-inl.h"
+#include "simd/lanes-inl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // What rays pass through inside the bounds, from where they begin to where they end.
 //

@@ -17,6 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
+using namespace simd::HWY_NAMESPACE;
 using namespace trace::HWY_NAMESPACE;
 using accel::bvh::Block;
 using accel::bvh::Link;

@@ -10,13 +10,13 @@
 
 #include <hwy/highway.h>
 
+#include "simd/lanes-inl.h"
 #include "trace/bvh/decode-inl.h"
-#include "trace/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // Which children are leaves: bits.
 template <class NodeType>

@@ -11,37 +11,20 @@
 
 #include <hwy/highway.h>
 
+#include "simd/compress_table.h"
 #include "trace/bvh/plain.h"
 #include "trace/bvh/wave_blocks-inl.h"
 #include "trace/bvh/wave_rays-inl.h"
 #include "trace/bvh/wave_root-inl.h"
 
-#include <array>
-
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 inline constexpr uint32_t kWaveRays = 256;
 inline constexpr uint32_t kWaveStream = 1024; // rays set up at a time
-
-// For each set of eight 16-bit places the set ones first.
-struct Compress {
-    alignas(16) uint8_t bytes[256][16];
-};
-constexpr Compress make_compress() {
-    Compress table{};
-    for (uint32_t bits = 0; bits < 256; ++bits)
-        for (uint32_t i = 0, place = 0; i < 8; ++i)
-            if (bits >> i & 1) {
-                table.bytes[bits][2 * place] = uint8_t(2 * i);
-                table.bytes[bits][2 * place++ + 1] = uint8_t(2 * i + 1);
-            }
-    return table;
-}
-inline constexpr Compress kCompress = make_compress();
 
 // `Any`: the first hit found will do.
 template <bool Any, bool Filtered>
@@ -184,7 +167,7 @@ private:
                 _mm_loadl_epi64(reinterpret_cast<const __m128i*>(entered_ + i)), to_top);
             const uint32_t bits = uint32_t(_mm_movemask_epi8(entered)) & 255;
             const __m128i compress =
-                _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.bytes[bits]));
+                _mm_load_si128(reinterpret_cast<const __m128i*>(simd::kCompressShorts.bytes[bits]));
             _mm_storeu_si128(reinterpret_cast<__m128i*>(end),
                              _mm_shuffle_epi8(values(i), compress));
             end += uint32_t(__builtin_popcount(bits));

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 HWY_INLINE HWY_ATTR Sheared<V4> relative_to(const WaveRay& ray, const Block& block) {
     return relative_to(block, ray.kx, ray.ky, ray.kz, hn::Set(k4, ray.ox), hn::Set(k4, ray.oy),

@@ -10,9 +10,10 @@
 #include <hwy/highway.h>
 
 #include "accel/bvh/tree.h"
+#include "simd/lanes-inl.h"
+#include "simd/transpose-inl.h"
 #include "trace/bvh/swept-inl.h"
 #include "trace/kernels.h"
-#include "trace/lanes-inl.h"
 #include "trace/slabs.h"
 
 #include <cstddef>
@@ -22,7 +23,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 // The first line is what nodes ask for, the second what blocks do.
 struct alignas(64) WaveRay {
@@ -42,25 +43,6 @@ struct alignas(64) WaveRay {
 static_assert(sizeof(WaveRay) == 128);
 static_assert(offsetof(WaveRay, leave) == 24 && offsetof(WaveRay, octant) == 44);
 static_assert(offsetof(WaveRay, ox) == 64 && offsetof(WaveRay, kx) == 96);
-
-// Rows become columns.
-HWY_INLINE HWY_ATTR void transpose(const V8 (&in)[8], V8 (&out)[8]) {
-    __m256 pair[8], quad[8];
-    for (int i = 0; i < 8; i += 2) {
-        pair[i] = _mm256_unpacklo_ps(in[i].raw, in[i + 1].raw);
-        pair[i + 1] = _mm256_unpackhi_ps(in[i].raw, in[i + 1].raw);
-    }
-    for (int i = 0; i < 8; i += 4) {
-        quad[i] = _mm256_shuffle_ps(pair[i], pair[i + 2], 0x44);
-        quad[i + 1] = _mm256_shuffle_ps(pair[i], pair[i + 2], 0xEE);
-        quad[i + 2] = _mm256_shuffle_ps(pair[i + 1], pair[i + 3], 0x44);
-        quad[i + 3] = _mm256_shuffle_ps(pair[i + 1], pair[i + 3], 0xEE);
-    }
-    for (int i = 0; i < 4; ++i) {
-        out[i] = V8{_mm256_permute2f128_ps(quad[i], quad[i + 4], 0x20)};
-        out[i + 4] = V8{_mm256_permute2f128_ps(quad[i], quad[i + 4], 0x31)};
-    }
-}
 
 struct Launched {
     uint32_t alive;     // bits: rays that may touch the scene

@@ -17,6 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::kdtree::HWY_NAMESPACE {
 
+using namespace simd::HWY_NAMESPACE;
 using namespace trace::HWY_NAMESPACE;
 
 // The rays of a packet and what slabs() knows of them, in vectors.

@@ -1,16 +1,16 @@
 // The vectors of the kernels. Their sizes are those of the data, eight and four; machines fill them
 // in one or two steps. Included once for each instruction set.
-#if defined(PEREGRINE_TRACE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef PEREGRINE_TRACE_LANES_INL_H
-#undef PEREGRINE_TRACE_LANES_INL_H
+#if defined(PEREGRINE_SIMD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_SIMD_LANES_INL_H
+#undef PEREGRINE_SIMD_LANES_INL_H
 #else
-#define PEREGRINE_TRACE_LANES_INL_H
+#define PEREGRINE_SIMD_LANES_INL_H
 #endif
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace peregrine::trace::HWY_NAMESPACE {
+namespace peregrine::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -24,9 +24,6 @@ constexpr size_t kLanes8 = hn::MaxLanes(k8);
 using V8 = hn::Vec<D8>;
 using V8u = hn::Vec<D8u>;
 using M8 = hn::Mask<D8>;
-
-// Whether rays that have nothing in common go in waves (bvh/wave-inl.h), not one by one.
-constexpr bool kWaves = HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3;
 
 // Triangles of a block.
 using D4 = hn::CappedTag<float, 4>;
@@ -64,6 +61,11 @@ HWY_INLINE HWY_ATTR V4 least_of_halves(V x) {
         return hn::Min(hn::LowerHalf(k4, x), hn::UpperHalf(k4, x));
 }
 
+// The largest of the first three lanes, in all lanes.
+HWY_INLINE HWY_ATTR V4 largest_of_three(V4 v) {
+    return hn::Max(hn::Broadcast<0>(v), hn::Max(hn::Broadcast<1>(v), hn::Broadcast<2>(v)));
+}
+
 // Half of eight lanes, or a part of four, as doubles.
 HWY_INLINE HWY_ATTR Vd promote_low(V8 x) {
     return hn::PromoteTo(kD, hn::LowerHalf(kFd, x));
@@ -79,6 +81,6 @@ HWY_INLINE HWY_ATTR Vd promote_part(V x, size_t first) {
         return first == 0 ? promote_low(x) : promote_high(x);
 }
 
-} // namespace peregrine::trace::HWY_NAMESPACE
+} // namespace peregrine::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
