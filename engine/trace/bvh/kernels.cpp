@@ -1,9 +1,9 @@
 #include "trace/bvh/kernels.h"
 
-#include "trace/bvh/plain.h"
-#include "trace/bvh/plain_shapes.h"
-#include "trace/bvh/shape_kernels.h"
-#include "trace/bvh/simd_kernels.h"
+#include "trace/bvh/shapes/kernels.h"
+#include "trace/bvh/shapes/plain.h"
+#include "trace/bvh/single/plain.h"
+#include "trace/bvh/stream/kernels.h"
 #include "trace/each.h"
 #include "trace/one_ray.h"
 
