@@ -9,3 +9,7 @@
 #else
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #endif
+
+// In a source: whether it is being compiled for the baseline of x86 or for no SIMD at all. Kernels
+// that have a plain version leave these to it.
+#define PEREGRINE_PLAIN_TARGET (HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_SSE2)

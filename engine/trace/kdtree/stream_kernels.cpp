@@ -10,7 +10,7 @@
 
 #include "trace/kdtree/stream_kernels.h"
 
-#if HWY_TARGET != HWY_SCALAR // there the single-ray kernels do the work
+#if !PEREGRINE_PLAIN_TARGET // there the single-ray kernels do the work
 #include "trace/kdtree/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();

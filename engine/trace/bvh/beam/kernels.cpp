@@ -8,7 +8,7 @@
 
 #include "trace/bvh/stream/calls-inl.h"
 
-#if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
+#if !PEREGRINE_PLAIN_TARGET // there the plain kernels do the work
 #include "trace/bvh/beam/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,6 +27,8 @@ HWY_ATTR bool occluded_beam(const Target& target, Beam& beam, const RayStream& r
     return filter.trivial() ? OccludedBeam<false>(target, beam, rays, filter).trace(occluded)
                             : OccludedBeam<true>(target, beam, rays, filter).trace(occluded);
 }
+
+constinit const BeamCalls kBeams = {closest_beam, occluded_beam};
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

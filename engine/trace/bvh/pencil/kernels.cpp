@@ -8,7 +8,7 @@
 
 #include "trace/bvh/stream/calls-inl.h"
 
-#if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
+#if !PEREGRINE_PLAIN_TARGET // there the plain kernels do the work
 #include "trace/bvh/pencil/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,6 +29,8 @@ HWY_ATTR void occluded_pencil(const Target& target, Pencil& pencil, const RayStr
     else
         OccludedPencil<true>(target, pencil, rays, filter).trace(occluded);
 }
+
+constinit const PencilCalls kPencils = {closest_pencil, occluded_pencil};
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -11,7 +11,7 @@
 #include "trace/bvh/shapes/kernels.h"
 #include "trace/bvh/shapes/plain.h"
 
-#if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
+#if !PEREGRINE_PLAIN_TARGET // there the plain kernels do the work
 #include "trace/bvh/shapes/blocks-inl.h"
 #include "trace/bvh/shapes/nodes-inl.h"
 

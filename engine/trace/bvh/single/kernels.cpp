@@ -8,47 +8,45 @@
 
 #include "trace/bvh/stream/calls-inl.h"
 
-#if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
+#if !PEREGRINE_PLAIN_TARGET // there the plain kernels do the work
 #include "trace/bvh/single/single-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
 template <class View>
-HWY_INLINE HWY_ATTR Hit closest_of(const Target& target, const math::Ray& ray,
-                                   const Filter& filter) {
+HWY_ATTR Hit closest_of(const Target& target, const math::Ray& ray, const Filter& filter) {
     if (target.bounds.empty()) return miss(0);
     return filter.trivial() ? closest<View, false>(target, ray, filter)
                             : closest<View, true>(target, ray, filter);
 }
 
 template <class View>
-HWY_INLINE HWY_ATTR bool occluded_of(const Target& target, const math::Ray& ray,
-                                     const Filter& filter) {
+HWY_ATTR bool occluded_of(const Target& target, const math::Ray& ray, const Filter& filter) {
     if (target.bounds.empty()) return false;
     return filter.trivial() ? occluded<View, false>(target, ray, filter)
                             : occluded<View, true>(target, ray, filter);
 }
 
-HWY_ATTR Hit closest_full(const Target& target, const math::Ray& ray, const Filter& filter) {
-    return closest_of<FullView>(target, ray, filter);
+template <class View>
+constexpr SingleKernels make_singles() {
+    return {closest_of<View>, occluded_of<View>, visit<View>};
 }
-HWY_ATTR Hit closest_compact(const Target& target, const math::Ray& ray, const Filter& filter) {
-    return closest_of<CompactView>(target, ray, filter);
-}
-HWY_ATTR bool occluded_full(const Target& target, const math::Ray& ray, const Filter& filter) {
-    return occluded_of<FullView>(target, ray, filter);
-}
-HWY_ATTR bool occluded_compact(const Target& target, const math::Ray& ray, const Filter& filter) {
-    return occluded_of<CompactView>(target, ray, filter);
-}
-HWY_ATTR void visit_full(const Target& target, const math::Ray& ray, Visitor& visitor) {
-    visit<FullView>(target, ray, visitor);
-}
-HWY_ATTR void visit_compact(const Target& target, const math::Ray& ray, Visitor& visitor) {
-    visit<CompactView>(target, ray, visitor);
-}
+constinit const SingleKernels kSingles = make_singles<FullView>();
+constinit const SingleKernels kCompactSingles = make_singles<CompactView>();
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+#include "simd/select.h"
+
+namespace peregrine::trace::bvh {
+
+const SingleKernels* single_kernels(base::Isa isa, bool compact) {
+    return compact ? PEREGRINE_TABLE_FOR(isa, kCompactSingles) : PEREGRINE_TABLE_FOR(isa, kSingles);
+}
+
+} // namespace peregrine::trace::bvh
 #endif

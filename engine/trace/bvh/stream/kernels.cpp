@@ -9,7 +9,7 @@
 
 #include "trace/bvh/stream/kernels.h"
 
-#if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
+#if !PEREGRINE_PLAIN_TARGET // there the plain kernels do the work
 #include "trace/bvh/stream/calls-inl.h"
 #include "trace/bvh/stream/splitter-inl.h"
 
@@ -43,12 +43,12 @@ HWY_ATTR void closest_hits(const Target& target, const RayStream& rays, const Fi
     Splitter(
         target, rays,
         [&](Beam& beam) HWY_ATTR {
-            closest_beam(target, beam, rays, filter, hits);
+            kBeams.closest(target, beam, rays, filter, hits);
             return true;
         },
-        [&](Pencil& pencil) HWY_ATTR { closest_pencil(target, pencil, rays, filter, hits); },
+        [&](Pencil& pencil) HWY_ATTR { kPencils.closest(target, pencil, rays, filter, hits); },
         [&](uint32_t first, uint32_t count) HWY_ATTR {
-            closest_wave(target, part_of(rays, first, count), filter, part_of(hits, first));
+            kWaveStreams.closest(target, part_of(rays, first, count), filter, part_of(hits, first));
         });
 }
 
@@ -60,17 +60,14 @@ HWY_ATTR void are_occluded(const Target& target, const RayStream& rays, const Fi
     }
     Splitter(
         target, rays,
-        [&](Beam& beam) HWY_ATTR { return occluded_beam(target, beam, rays, filter, result); },
-        [&](Pencil& pencil) HWY_ATTR { occluded_pencil(target, pencil, rays, filter, result); },
+        [&](Beam& beam) HWY_ATTR { return kBeams.occluded(target, beam, rays, filter, result); },
+        [&](Pencil& pencil) HWY_ATTR { kPencils.occluded(target, pencil, rays, filter, result); },
         [&](uint32_t first, uint32_t count) HWY_ATTR {
-            occluded_wave(target, part_of(rays, first, count), filter, result + first);
+            kWaveStreams.occluded(target, part_of(rays, first, count), filter, result + first);
         });
 }
 
-[[maybe_unused]] constexpr Kernels kKernels = {closest_full, occluded_full, closest_hits,
-                                               are_occluded, visit_full,    base::Isa::best};
-[[maybe_unused]] constexpr Kernels kCompactKernels = {
-    closest_compact, occluded_compact, closest_hits, are_occluded, visit_compact, base::Isa::best};
+[[maybe_unused]] constexpr StreamKernels kStreams = {closest_hits, are_occluded};
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -81,8 +78,8 @@ HWY_AFTER_NAMESPACE();
 
 namespace peregrine::trace::bvh {
 
-const Kernels* simd_kernels(base::Isa isa, bool compact) {
-    return compact ? PEREGRINE_TABLE_FOR(isa, kCompactKernels) : PEREGRINE_TABLE_FOR(isa, kKernels);
+const StreamKernels* stream_kernels(base::Isa isa) {
+    return PEREGRINE_TABLE_FOR(isa, kStreams);
 }
 
 } // namespace peregrine::trace::bvh

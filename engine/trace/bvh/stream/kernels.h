@@ -4,8 +4,16 @@
 
 namespace peregrine::trace::bvh {
 
-// They do not say whose they are. Null if not compiled for this instruction set. Does not ask the
+// As in trace/kernels.h.
+struct StreamKernels {
+    void (*closest)(const Target& target, const RayStream& rays, const Filter& filter,
+                    const HitStream& hits);
+    void (*occluded)(const Target& target, const RayStream& rays, const Filter& filter,
+                     uint8_t* occluded);
+};
+
+// For full trees and compact ones. Null if not compiled for this instruction set. Does not ask the
 // machine.
-const Kernels* simd_kernels(base::Isa isa, bool compact);
+const StreamKernels* stream_kernels(base::Isa isa);
 
 } // namespace peregrine::trace::bvh

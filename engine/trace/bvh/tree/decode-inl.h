@@ -75,14 +75,15 @@ HWY_NOINLINE HWY_ATTR inline Leaf decode_leaf_apart(const LeafRecord& record, Bl
 }
 
 HWY_INLINE HWY_ATTR const Node& fetch_node(const Target& target, uint32_t index, Node& room) {
-    if (!target.is_compact()) return target.bvh_nodes[index];
-    decode_node(target.bvh_compact_nodes[index], room);
+    if (!tree_of(target).is_compact()) return tree_of(target).nodes[index];
+    decode_node(tree_of(target).compact_nodes[index], room);
     return room;
 }
 
 HWY_INLINE HWY_ATTR Leaf fetch_leaf(const Target& target, Link link, Block* room) {
-    if (!target.is_compact()) return {target.bvh_blocks + link.first_block(), link.count()};
-    return decode_leaf_apart(accel::bvh::record_at(target.bvh_compact_leaves, link), room);
+    if (!tree_of(target).is_compact())
+        return {tree_of(target).blocks + link.first_block(), link.count()};
+    return decode_leaf_apart(accel::bvh::record_at(tree_of(target).compact_leaves, link), room);
 }
 HWY_INLINE HWY_ATTR Leaf fetch_leaf(const Target& target, Link link, LeafRoom& room) {
     return fetch_leaf(target, link, room.blocks);

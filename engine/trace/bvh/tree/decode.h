@@ -1,7 +1,6 @@
 #pragma once
 
-#include "accel/bvh/compact_tree.h"
-#include "trace/kernels.h"
+#include "trace/bvh/target.h"
 
 #include <algorithm>
 #include <limits>
@@ -55,14 +54,15 @@ inline void decode(const LeafGroup& in, const float* pool, Block& out) {
 }
 
 inline const Node& plain_node(const Target& target, uint32_t index, Node& room) {
-    if (!target.is_compact()) return target.bvh_nodes[index];
-    decode(target.bvh_compact_nodes[index], room);
+    if (!tree_of(target).is_compact()) return tree_of(target).nodes[index];
+    decode(tree_of(target).compact_nodes[index], room);
     return room;
 }
 
 inline Leaf plain_leaf(const Target& target, Link link, LeafRoom& room) {
-    if (!target.is_compact()) return {target.bvh_blocks + link.first_block(), link.count()};
-    const LeafRecord& record = accel::bvh::record_at(target.bvh_compact_leaves, link);
+    if (!tree_of(target).is_compact())
+        return {tree_of(target).blocks + link.first_block(), link.count()};
+    const LeafRecord& record = accel::bvh::record_at(tree_of(target).compact_leaves, link);
     for (uint32_t i = 0; i < record.groups(); ++i)
         decode(record.group()[i], record.pool(), room.blocks[i]);
     return {room.blocks, record.count()};

@@ -38,9 +38,9 @@ public:
 
     HWY_INLINE explicit FullView(const Target& target) : target_(target) {}
 
-    HWY_INLINE const Node& node(Link link) const { return target_.bvh_nodes[link.node()]; }
+    HWY_INLINE const Node& node(Link link) const { return tree_of(target_).nodes[link.node()]; }
     HWY_INLINE Leaf leaf(Link link, LeafRoom&) const {
-        return {target_.bvh_blocks + link.first_block(), link.count()};
+        return {tree_of(target_).blocks + link.first_block(), link.count()};
     }
     HWY_INLINE HWY_ATTR void prefetch(Link inner) const {
         prefetch_lines(&node(inner), sizeof(Node) / 64);
@@ -57,10 +57,11 @@ public:
     HWY_INLINE explicit CompactView(const Target& target) : target_(target) {}
 
     HWY_INLINE const CompactNode& node(Link link) const {
-        return target_.bvh_compact_nodes[link.node()];
+        return tree_of(target_).compact_nodes[link.node()];
     }
     HWY_INLINE HWY_ATTR Leaf leaf(Link link, LeafRoom& room) const {
-        return decode_leaf(accel::bvh::record_at(target_.bvh_compact_leaves, link), room.blocks);
+        return decode_leaf(accel::bvh::record_at(tree_of(target_).compact_leaves, link),
+                           room.blocks);
     }
     HWY_INLINE HWY_ATTR void prefetch(Link inner) const {
         prefetch_lines(&node(inner), sizeof(CompactNode) / 64);
@@ -80,10 +81,10 @@ public:
         return fetch_node(target_, link.node(), room_);
     }
     HWY_INLINE HWY_ATTR void prefetch(Link inner) const {
-        if (target_.is_compact())
-            prefetch_lines(target_.bvh_compact_nodes + inner.node(), sizeof(CompactNode) / 64);
+        if (tree_of(target_).is_compact())
+            prefetch_lines(tree_of(target_).compact_nodes + inner.node(), sizeof(CompactNode) / 64);
         else
-            prefetch_lines(target_.bvh_nodes + inner.node(), sizeof(Node) / 64);
+            prefetch_lines(tree_of(target_).nodes + inner.node(), sizeof(Node) / 64);
     }
 
 private:

@@ -9,7 +9,7 @@
 
 #include "trace/bvh/stream/calls-inl.h"
 
-#if HWY_TARGET != HWY_SCALAR // there the plain kernels do the work
+#if !PEREGRINE_PLAIN_TARGET // there the plain kernels do the work
 #include "trace/bvh/wave/wave-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -80,17 +80,19 @@ HWY_ATTR void occluded_wave(const Target& target, const RayStream& rays, const F
 #else
 HWY_ATTR void closest_wave(const Target& target, const RayStream& rays, const Filter& filter,
                            const HitStream& hits) {
-    const auto closest = target.is_compact() ? closest_compact : closest_full;
+    const auto closest = (tree_of(target).is_compact() ? kCompactSingles : kSingles).closest;
     for (uint32_t i = 0; i < rays.count; ++i)
         hits.store(i, closest(target, ray_at(rays, i), filter));
 }
 
 HWY_ATTR void occluded_wave(const Target& target, const RayStream& rays, const Filter& filter,
                             uint8_t* result) {
-    const auto occluded = target.is_compact() ? occluded_compact : occluded_full;
+    const auto occluded = (tree_of(target).is_compact() ? kCompactSingles : kSingles).occluded;
     for (uint32_t i = 0; i < rays.count; ++i) result[i] = occluded(target, ray_at(rays, i), filter);
 }
 #endif
+
+constinit const StreamKernels kWaveStreams = {closest_wave, occluded_wave};
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

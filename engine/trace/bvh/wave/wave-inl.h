@@ -32,7 +32,7 @@ class Wave {
 public:
     HWY_ATTR Wave(const Target& target, const Filter& filter)
         : target_(target), filter_(filter),
-          blocks_(target.is_compact() ? decoded_ : target.bvh_blocks) {}
+          blocks_(tree_of(target).is_compact() ? decoded_ : tree_of(target).blocks) {}
 
     // `irregular(ray)` answers a ray that is not for floats; `hit(ray, ...)` is told of each better
     // hit; `done(ray, steps)` comes last.
@@ -100,7 +100,7 @@ private:
             } else {
                 if (test_count_ > 0) settle(on_hit);
                 const Node& node = fetch_node(target_, link.node(), node_);
-                if (!Any && octant >= 4 && target_.is_compact())
+                if (!Any && octant >= 4 && tree_of(target_).is_compact())
                     node_.order[octant] = accel::bvh::reversed_order(node_.order[7 - octant]);
                 depth = enter(node, octant, entry, depth, on_hit);
             }
@@ -269,7 +269,7 @@ private:
         const Leaf leaf = fetch_leaf(target_, link, decoded_ + decoded_count_);
         const auto first = uint32_t(leaf.blocks - blocks_);
         const uint32_t last = first + (leaf.count - 1) / accel::bvh::kBlockWidth;
-        decoded_count_ += target_.is_compact() ? last - first + 1 : 0;
+        decoded_count_ += tree_of(target_).is_compact() ? last - first + 1 : 0;
         for (uint32_t block = first; block <= last; ++block) {
             if (test_count_ + count > kTests) settle(on_hit);
             filter_rays(block, ids, count);
@@ -343,17 +343,17 @@ private:
     }
 
     HWY_INLINE HWY_ATTR void prefetch(Link link) const {
-        if (target_.is_compact()) {
+        if (tree_of(target_).is_compact()) {
             // Of a leaf the record and some of the pool before it.
             const uint32_t unit = link.bits & ~Link::kLeaf;
             if (link.is_leaf())
-                prefetch_lines(target_.bvh_compact_leaves + (unit > 16 ? unit - 16 : 0), 4);
+                prefetch_lines(tree_of(target_).compact_leaves + (unit > 16 ? unit - 16 : 0), 4);
             else
-                prefetch_lines(target_.bvh_compact_nodes + link.node(), 2);
+                prefetch_lines(tree_of(target_).compact_nodes + link.node(), 2);
         } else if (link.is_leaf()) {
-            prefetch_lines(target_.bvh_blocks + link.first_block(), 4);
+            prefetch_lines(tree_of(target_).blocks + link.first_block(), 4);
         } else {
-            prefetch_lines(target_.bvh_nodes + link.node(), 4);
+            prefetch_lines(tree_of(target_).nodes + link.node(), 4);
         }
     }
 
