@@ -1,5 +1,5 @@
 // Hits from streams to the host's records, compiled once for each instruction set.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/hit_stores.cpp"
@@ -146,7 +146,7 @@ constexpr HitStores kStores = {names, records};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::query {
 

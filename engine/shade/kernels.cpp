@@ -1,5 +1,5 @@
 // The shading loops, compiled once for each instruction set.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shade/kernels.cpp"
@@ -60,7 +60,7 @@ constexpr ByProgram<FindRadiance> radiance_by_program(List<Program...>) {
 
 constexpr Kernels kKernels = {
     {find_surfaces<SurfacePart::all>, find_surfaces<SurfacePart::geometry>,
-     find_surfaces<SurfacePart::colors>},
+     find_surfaces<SurfacePart::colors>, find_surfaces<SurfacePart::geometry>},
     recall,
     weigh_by_kind(LightKinds()),
     add_by_program(Programs()),
@@ -73,7 +73,7 @@ constexpr Kernels kKernels = {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::shade {
 
