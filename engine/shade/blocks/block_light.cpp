@@ -18,6 +18,8 @@ void TileLight::begin(uint32_t ray_count) {
     for (List& list : pending) list.count = 0;
     uneven.count = 0;
     known_count = 0;
+    slots.clear();
+    batch.slots = &slots;
 }
 
 BlockLight::BlockLight(const Shader& shader, const scene::Environment& environment, float tolerance,

@@ -65,11 +65,12 @@ struct alignas(64) TileLight {
     uint32_t triangle[kPadded];
     uint32_t back_face[kPadded];
     BatchMarks batch;
+    LightSlots slots; // of the tile
 
     uint64_t point_count; // of a frame
 
     static uint32_t level_of(uint32_t side) { return side == 4 ? 0 : side == 8 ? 1 : 2; }
-    void begin(uint32_t ray_count);                 // a tile
+    void begin(uint32_t ray_count); // a tile
     uint16_t know(const LightMarks& found_marks) {
         known[known_count] = found_marks;
         return uint16_t(known_count++);

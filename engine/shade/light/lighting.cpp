@@ -40,7 +40,8 @@ void Lighting::gather(const RayHits& hits, Scratch& scratch, BatchMarks* marks) 
     const math::Box& bounds = scratch.surface.bounds;
     if (bounds.empty()) return;
     for (uint32_t i = 0; i < lights_.size(); ++i)
-        if (reaches(lights_[i], bounds)) illuminate({lights_[i], i, hits, scratch, marks});
+        if (reaches(lights_[i], bounds))
+            illuminate({lights_[i], marks ? marks->slots->of(i) : 0, hits, scratch, marks});
 }
 
 // What need not be traced of a light that casts shadows.
@@ -56,7 +57,7 @@ Lighting::Known Lighting::find_known(const Task& task) const {
                                   snapshot_->world.first_moving, task.hits, states);
     else
         std::fill_n(states, task.hits.count, uint32_t(PointState::mixed));
-    if (has_marks) occurs = overlay(*task.marks, task.index, task.hits.count, states);
+    if (has_marks) occurs = overlay(*task.marks, task.slot, task.hits.count, states);
     known.recalled.states = states;
     known.all_are_hidden = occurs == bit(PointState::hidden);
     known.some_are_lit = occurs & (bit(PointState::lit) | bit(PointState::seen));
@@ -72,18 +73,18 @@ void Lighting::mark(const Task& task, const Known& known, uint32_t ray_count) co
     LightMarks* const found = task.marks->found;
     for (uint32_t i = 0; known.recalled.states && i < task.hits.count; ++i) {
         if (shadow.states[i] == uint32_t(PointState::hidden))
-            found[i].miss(task.index);
+            found[i].miss(task.slot);
         else if (shadow.states[i] != uint32_t(PointState::mixed)
                  && task.scratch.weights.diffuse[i] > 0)
-            found[i].see(task.index);
+            found[i].see(task.slot);
     }
     for (uint32_t k = 0; k < ray_count; ++k) {
         LightMarks& point = found[shadow.index[k]];
         point.traced = true;
         if (shadow.occluded[k])
-            point.miss(task.index);
+            point.miss(task.slot);
         else if (task.scratch.weights.diffuse[shadow.index[k]] > 0)
-            point.see(task.index);
+            point.see(task.slot);
     }
 }
 
@@ -95,7 +96,7 @@ void Lighting::illuminate(const Task& task) const {
         [[unlikely]] {
         PreparedLight distant = light;
         distant.from_light = false;
-        return illuminate({distant, task.index, task.hits, scratch, task.marks});
+        return illuminate({distant, task.slot, task.hits, scratch, task.marks});
     }
     const bool traces = traces_shadows_ && light.casts_shadow;
     const Known known = traces ? find_known(task) : Known();

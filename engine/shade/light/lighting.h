@@ -24,7 +24,7 @@ public:
 private:
     struct Task {
         const PreparedLight& light;
-        uint32_t index;
+        uint32_t slot; // in marks
         const RayHits& hits;
         Scratch& scratch;
         BatchMarks* marks;
