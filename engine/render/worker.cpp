@@ -11,6 +11,7 @@
 namespace peregrine::render {
 
 static_assert(kTilePadded * sizeof(float) % 64 == 0, "the kernels want aligned arrays");
+static_assert(kTileSize == trace::ImageTile::kSide);
 static_assert(kTileRays % shade::kBatch == 0 && kTileRays <= trace::kMaxStream);
 
 namespace {
@@ -75,13 +76,17 @@ void Worker::make_rays(const Pinhole& pinhole) {
 }
 
 void Worker::trace(const FrameContext& context) {
+    const bool count_steps = context.frame.view == View::steps;
+    const Pinhole& pinhole = context.pinhole;
+    const trace::ImageTile image = {pinhole.corner, pinhole.right, pinhole.down, tile_.x0,
+                                    tile_.y0};
     const trace::RayStream rays = {{origin_[0], origin_[1], origin_[2]},
                                    {direction_[0], direction_[1], direction_[2]},
                                    t_min_,
                                    t_max_,
                                    tile_.count,
-                                   trace::Coherence::common_origin};
-    const bool count_steps = context.frame.view == View::steps;
+                                   trace::Coherence::common_origin,
+                                   tile_.is_whole() && !count_steps ? &image : nullptr};
     // All begin at the eye, and these are zeros.
     const trace::Positions positions = {{t_min_, t_min_, t_min_}, context.eye};
     trace::closest(context.snapshot.world, rays, positions, context.filter,
