@@ -81,6 +81,12 @@ void require_positive(float value, const char* field) {
              double(value));
 }
 
+void require_least_zero(float value, const char* field) {
+    if (!(value >= 0) || !std::isfinite(value))
+        fail(Code::invalid_argument, "%s is %g; it must be at least 0 and finite", field,
+             double(value));
+}
+
 void require_colour(std::span<const float> values, const char* field) {
     for (size_t i = 0; i < values.size(); ++i)
         if (!(values[i] >= 0) || !std::isfinite(values[i]))

@@ -26,6 +26,7 @@ inline bool is_coordinate(double value) {
 }
 void require_position(const double (&position)[3], const char* field);
 void require_positive(float value, const char* field);                    // > 0, finite
+void require_least_zero(float value, const char* field);                  // >= 0, finite
 void require_colour(std::span<const float> values, const char* field);    // >= 0, finite
 void require_direction(std::span<const float> values, const char* field); // finite, not zero
 

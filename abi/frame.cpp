@@ -1,6 +1,7 @@
 #include "render/frame.h"
 
 #include "check.h"
+#include "frame_options.h"
 #include "guard.h"
 #include "read_struct.h"
 #include "require_snapshot.h"
@@ -108,6 +109,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     frame.depth_range = in.depth_range;
     frame.steps_range = in.steps_range;
     frame.shadows = in.no_shadows == 0;
+    frame.approximations = to_approximations(in);
     return frame;
 }
 
@@ -116,6 +118,8 @@ rt_frame_stats to_stats(const render::FrameStats& in) {
     out.threads = in.threads;
     out.rays_primary = in.rays_primary;
     out.rays_shadow = in.rays_shadow;
+    out.rays_edge = in.rays_edge;
+    out.light_points = in.light_points;
     out.frame_ms = in.frame_ms;
     out.isa = rt_isa(in.isa);
     return out;

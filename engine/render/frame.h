@@ -19,6 +19,7 @@ enum class PixelFormat : uint32_t {
 };
 enum class View : uint32_t { shaded = 0, normals = 1, depth = 2, steps = 3 };
 enum class ToneMapping : uint32_t { filmic = 0, clamp = 1, none = 2 };
+enum class TextureFilter : uint32_t { finest = 0, mipmaps = 1 };
 
 inline uint32_t bytes_per_pixel(PixelFormat format) {
     return format == PixelFormat::rgba32f ? 16 : format == PixelFormat::rgba16f ? 8 : 4;
@@ -28,6 +29,18 @@ inline uint32_t bytes_per_pixel(PixelFormat format) {
 struct Plane {
     void* data = nullptr;    // top row first, of any alignment
     uint64_t row_stride = 0; // bytes
+};
+
+// What trades error for time; as it is here, nothing. See rt_frame_desc.
+struct Approximations {
+    uint32_t light_block = 1;
+    float light_tolerance = 0;
+    TextureFilter texture_filter = TextureFilter::finest;
+    float least_light = 0;
+    uint32_t edge_samples = 1;
+    float edge_budget = 0;
+    uint32_t render_width = 0; // of the frame, if not smaller
+    uint32_t render_height = 0;
 };
 
 struct Frame {
@@ -46,6 +59,7 @@ struct Frame {
     Plane triangle_ids; // uint32_t
     Plane mesh_ids;     // base::Handle
     Plane normals;      // float[3]
+    Approximations approximations;
 
     bool wants_planes() const {
         return depth.data || triangle_ids.data || mesh_ids.data || normals.data;
@@ -56,6 +70,8 @@ struct FrameStats {
     uint32_t threads = 0;
     uint64_t rays_primary = 0;
     uint64_t rays_shadow = 0;
+    uint64_t rays_edge = 0;
+    uint64_t light_points = 0;
     double frame_ms = 0;
     base::Isa isa = base::Isa::scalar;
 };

@@ -5,22 +5,27 @@
 
 namespace peregrine::render {
 
-void show_normals(const shade::RayHits& hits, const shade::Surface& surface,
-                  float* const colors[3]) {
-    for (uint32_t k = 0; k < 3; ++k)
-        for (uint32_t i = 0; i < hits.count; ++i)
-            colors[k][i] = hits.triangle[i] == geometry::kNoTriangle
-                               ? 0.0f
-                               : 0.5f * surface.normal[k][i] + 0.5f;
+void show_normals(const Plan& plan, TileBuffers& buffers) {
+    buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
+        plan.shader.find_surfaces(hits, shade::SurfacePart::geometry, buffers.scratch);
+        for (uint32_t k = 0; k < 3; ++k)
+            for (uint32_t i = 0; i < hits.count; ++i)
+                buffers.colors.channel[k][first + i] =
+                    hits.triangle[i] == geometry::kNoTriangle
+                        ? 0.0f
+                        : 0.5f * buffers.scratch.surface.normal[k][i] + 0.5f;
+    });
 }
 
-void show_depth(const shade::RayHits& hits, const float* t, float range, float* const colors[3]) {
-    for (uint32_t i = 0; i < hits.count; ++i) {
-        const math::Vec3 d(hits.direction[0][i], hits.direction[1][i], hits.direction[2][i]);
-        const bool hit = hits.triangle[i] != geometry::kNoTriangle;
-        const float distance = t[i] * std::sqrt(glm::dot(d, d));
-        const float value = hit ? std::max(0.0f, 1.0f - distance / range) : 0.0f;
-        colors[0][i] = colors[1][i] = colors[2][i] = value;
+void show_depth(const Plan& plan, TileBuffers& buffers) {
+    const auto& [dx, dy, dz] = buffers.direction;
+    auto& [red, green, blue] = buffers.colors.channel;
+    for (uint32_t i = 0; i < buffers.tile.count; ++i) {
+        const math::Vec3 d(dx[i], dy[i], dz[i]);
+        const bool hit = buffers.triangle[i] != geometry::kNoTriangle;
+        const float distance = buffers.t[i] * std::sqrt(glm::dot(d, d));
+        const float value = hit ? std::max(0.0f, 1.0f - distance / plan.frame.depth_range) : 0.0f;
+        red[i] = green[i] = blue[i] = value;
     }
 }
 
@@ -35,10 +40,10 @@ math::Vec3 heat(float fraction) {
     return color;
 }
 
-void show_steps(const uint32_t* steps, uint32_t count, float range, float* const colors[3]) {
-    for (uint32_t i = 0; i < count; ++i) {
-        const math::Vec3 color = heat(float(steps[i]) / range);
-        for (int k = 0; k < 3; ++k) colors[k][i] = color[k];
+void show_steps(const Plan& plan, TileBuffers& buffers) {
+    for (uint32_t i = 0; i < buffers.tile.count; ++i) {
+        const math::Vec3 color = heat(float(buffers.steps[i]) / plan.frame.steps_range);
+        for (int k = 0; k < 3; ++k) buffers.colors.channel[k][i] = color[k];
     }
 }
 

@@ -8,7 +8,7 @@ namespace peregrine::scene {
 
 enum class LightType : uint32_t { point = 0, spot = 1, directional = 2 };
 
-// Of points and spots, see shade/falloff.h. The values are those of RT_FALLOFF_*.
+// Of points and spots, see shade/light/falloff.h. The values are those of RT_FALLOFF_*.
 enum class Falloff : uint32_t {
     schlick_linear = 0,
     linear = 1,

@@ -8,7 +8,7 @@
 #include <cstring>
 
 // What a texture says at a point: the plain form, for one point at a time. The SIMD form of
-// shade/texels-inl.h does the same operations in the same order.
+// shade/surface/texels-inl.h does the same operations in the same order.
 namespace peregrine::scene {
 
 // A coordinate brought into [0, 1]; 0 if it is not finite.

@@ -6,43 +6,67 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "shade/blocks/blocks-inl.h"
 #include "shade/kernels.h"
-#include "shade/lights-inl.h"
-#include "shade/recall-inl.h"
-#include "shade/surfaces-inl.h"
+#include "shade/light/directional-inl.h"
+#include "shade/light/point-inl.h"
+#include "shade/light/recall-inl.h"
+#include "shade/light/spot-inl.h"
+#include "shade/light/weigh-inl.h"
+#include "shade/material/highlight-inl.h"
+#include "shade/material/matt-inl.h"
+#include "shade/material/radiance-inl.h"
+#include "shade/surface/surfaces-inl.h"
+
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
-using scene::Falloff;
-using scene::LightType;
+template <class... Items>
+struct List {};
 
-template <LightType Type, Falloff Kind>
-constexpr std::array<WeighLight, 2> weigh_light_of() {
-    return {weigh_light<Type, Kind, false>, weigh_light<Type, Kind, true>};
+// In the order of Program and of scene::LightType.
+using Programs = List<Matt, Highlight>;
+using LightKinds = List<PointLight, SpotLight, DirectionalLight>;
+
+template <class Kind, scene::Falloff Law, class... Program>
+constexpr ByProgram<WeighLight> weigh_by_program(List<Program...>) {
+    return {weigh_light<Kind, Law, Program>...};
 }
 
-template <LightType Type>
-constexpr WeighLights weigh_lights() {
-    return {weigh_light_of<Type, Falloff::schlick_linear>(),
-            weigh_light_of<Type, Falloff::linear>(), weigh_light_of<Type, Falloff::cosine_linear>(),
-            weigh_light_of<Type, Falloff::windowed_inverse_square>(),
-            weigh_light_of<Type, Falloff::inverse_square>()};
+// All laws are one to light that comes from no place.
+template <class Kind, size_t... Law>
+constexpr WeighLights weigh_by_law(std::index_sequence<Law...>) {
+    constexpr auto kOne = scene::Falloff::inverse_square;
+    return {weigh_by_program < Kind,
+            Kind::kHasPlace ? scene::Falloff(Law) : kOne > (Programs())...};
 }
 
-// The same from everywhere: one kernel serves all rows.
-template <>
-constexpr WeighLights weigh_lights<LightType::directional>() {
-    constexpr auto row = weigh_light_of<LightType::directional, Falloff::inverse_square>();
-    return {row, row, row, row, row};
+template <class... Kind>
+constexpr std::array<WeighLights, sizeof...(Kind)> weigh_by_kind(List<Kind...>) {
+    return {weigh_by_law<Kind>(std::make_index_sequence<scene::kFalloffCount>())...};
 }
+
+template <class... Program>
+constexpr ByProgram<AddLight> add_by_program(List<Program...>) {
+    return {add_light<Program>...};
+}
+
+template <bool Emissive, class... Program>
+constexpr ByProgram<FindRadiance> radiance_by_program(List<Program...>) {
+    return {find_radiance<Program, Emissive>...};
+}
+
 constexpr Kernels kKernels = {
-    find_surfaces,
+    {find_surfaces<SurfacePart::all>, find_surfaces<SurfacePart::geometry>,
+     find_surfaces<SurfacePart::colors>},
     recall,
-    {weigh_lights<LightType::point>(), weigh_lights<LightType::spot>(),
-     weigh_lights<LightType::directional>()},
-    {add_light<false>, add_light<true>},
-    {{combine<false, false>, combine<false, true>}, {combine<true, false>, combine<true, true>}},
+    weigh_by_kind(LightKinds()),
+    add_by_program(Programs()),
+    {radiance_by_program<false>(Programs()), radiance_by_program<true>(Programs())},
+    block_is_smooth,
+    interpolate_block,
 };
 
 } // namespace peregrine::shade::HWY_NAMESPACE

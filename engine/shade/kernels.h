@@ -2,29 +2,28 @@
 
 #include "base/isa.h"
 #include "scene/snapshot.h"
-#include "shade/prepared_light.h"
-#include "shade/surface.h"
-#include "shade/triangle_shading.h"
+#include "shade/light/illumination.h"
+#include "shade/light/prepared_light.h"
+#include "shade/material/program.h"
+#include "shade/surface/ray_hits.h"
+#include "shade/surface/space.h"
+#include "shade/surface/surface.h"
 
 #include <array>
 #include <cstdint>
 
 namespace peregrine::shade {
 
-// A batch of primary rays and what they hit: at most kBatch rays; arrays readable up to the next
-// multiple of 16.
-struct RayHits {
-    const float* direction[3]; // any length
-    const float* u;
-    const float* v;
-    const uint32_t* triangle;
-    const uint32_t* back_face;
-    uint32_t count;
+// What is known of the way from a point to a light. The first ones are trace::visibility::State.
+enum class PointState : uint32_t {
+    hidden = 0, // it is blocked
+    lit = 1,    // nothing fixed is in the way
+    mixed = 2,  // nothing: it is to be traced
+    seen = 3,   // nothing at all is in the way
 };
 
-// What is remembered of a light at the points of a batch.
 struct Recalled {
-    const uint32_t* states = nullptr; // visibility::State; null: nothing
+    const uint32_t* states = nullptr; // PointState of each point; null: all are mixed
     bool traces_lit = false; // something moves in between: rays are listed for lit points, too
 };
 
@@ -41,14 +40,25 @@ using WeighLight = uint32_t (*)(const Surface& surface, uint32_t count, const Pr
                                 const Recalled& recalled, LightWeights& weights,
                                 const ShadowRays& rays);
 
-// By fall-off, and whether anything is specular.
-using WeighLights = std::array<std::array<WeighLight, 2>, scene::kFalloffCount>;
+// By fall-off and program.
+using WeighLights = std::array<ByProgram<WeighLight>, scene::kFalloffCount>;
+
+// What lies at the hits. `features`: what to look at (scene::Feature bits).
+using FindSurfaces = void (*)(const scene::Snapshot& snapshot, uint32_t features,
+                              const SurfaceSpace& space, const RayHits& hits, Surface& out);
+
+// Adds the weighed light.
+using AddLight = void (*)(const LightWeights& weights, uint32_t count, const math::Vec3& color,
+                          Illumination& sum);
+
+// Radiance toward the viewer.
+using FindRadiance = void (*)(const Surface& surface, const Illumination& light,
+                              const RayHits& hits, const scene::Environment& environment,
+                              float* const radiance[3]);
 
 // The loops over a batch, compiled for each instruction set; all of them give the same bits.
 struct Kernels {
-    // What lies at the hits. `features`: what to look at (scene::Feature bits).
-    void (*find_surfaces)(const scene::Snapshot& snapshot, uint32_t features,
-                          const SurfaceSpace& space, const RayHits& hits, Surface& out);
+    std::array<FindSurfaces, 3> find_surfaces; // by SurfacePart
 
     // What is remembered of the light at each point, as visibility::State; returns which of them
     // occur, as bits.
@@ -57,13 +67,12 @@ struct Kernels {
 
     std::array<WeighLights, 3> weigh_light; // by type of light
 
-    // Adds the weighed light; whether specular.
-    void (*add_light[2])(const LightWeights& weights, uint32_t count, const math::Vec3& color,
-                         Illumination& sum);
+    ByProgram<AddLight> add_light;
+    std::array<ByProgram<FindRadiance>, 2> find_radiance; // whether emissive
 
-    // Radiance toward the viewer; whether specular, whether emissive.
-    void (*combine[2][2])(const Surface& surface, const Illumination& light, const RayHits& hits,
-                          const scene::Environment& environment, float* const radiance[3]);
+    // Of light in blocks (blocks/blocks-inl.h).
+    bool (*block_is_smooth)(const float* t, uint32_t side, float pixel);
+    void (*interpolate_block)(float* values, uint32_t side);
 };
 
 // For this instruction set, or the plain one if it was not compiled. Does not ask the machine.

@@ -405,6 +405,14 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, mesh_row_stride);
     FIELD(rt_frame_desc, normal_row_stride);
     FIELD(rt_frame_desc, snapshot);
+    FIELD(rt_frame_desc, light_block);
+    FIELD(rt_frame_desc, light_tolerance);
+    FIELD(rt_frame_desc, texture_filter);
+    FIELD(rt_frame_desc, least_light);
+    FIELD(rt_frame_desc, edge_samples);
+    FIELD(rt_frame_desc, edge_budget);
+    FIELD(rt_frame_desc, render_width);
+    FIELD(rt_frame_desc, render_height);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);
@@ -413,6 +421,8 @@ static void print_frame(void) {
     FIELD(rt_frame_stats, frame_ms);
     FIELD(rt_frame_stats, isa);
     FIELD(rt_frame_stats, reserved);
+    FIELD(rt_frame_stats, rays_edge);
+    FIELD(rt_frame_stats, light_points);
     STRUCT(rt_scene_stats);
     FIELD(rt_scene_stats, struct_size);
     FIELD(rt_scene_stats, threads);

@@ -98,6 +98,23 @@ TEST_F(BadFrame, Fields) {
     }
 }
 
+TEST_F(BadFrame, Approximations) {
+    constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
+    using D = rt_frame_desc;
+    for (const uint32_t block : {2u, 3u, 5u, 12u, 17u, 32u, ~0u})
+        refuse_frame([&](D& d) { d.light_block = block; }, kArgument, "light_block is");
+    refuse_frame([](D& d) { d.texture_filter = 2; }, kArgument, "texture_filter is 2");
+    refuse_frame([](D& d) { d.texture_filter = -1; }, kArgument, "texture_filter is -1");
+    refuse_frame([](D& d) { d.edge_samples = 17; }, RT_ERROR_LIMIT, "edge_samples is 17");
+    refuse_frame([](D& d) { d.render_width = d.width + 1; }, kArgument, "render_width is");
+    refuse_frame([](D& d) { d.render_height = ~0u; }, kArgument, "render_height is");
+    for (const float value : {-1.0f, kNan, kInfinity}) {
+        refuse_frame([&](D& d) { d.light_tolerance = value; }, kArgument, "light_tolerance");
+        refuse_frame([&](D& d) { d.least_light = value; }, kArgument, "least_light");
+        refuse_frame([&](D& d) { d.edge_budget = value; }, kArgument, "edge_budget");
+    }
+}
+
 TEST_F(BadFrame, Planes) {
     constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
     using D = rt_frame_desc;

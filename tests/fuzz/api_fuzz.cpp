@@ -314,6 +314,10 @@ private:
         frame.view = rt_view(random_.below(4));
         frame.tone_mapping = rt_tone_mapping(random_.below(3));
         frame.exposure = 4 * random_.unit();
+        frame.light_block = random_.below(3) * 4;
+        frame.texture_filter = rt_texture_filter(random_.below(2));
+        frame.edge_samples = random_.below(6);
+        frame.render_width = random_.below(frame.width + 1);
         const uint64_t row = frame.width * kBytes[frame.format];
         frame.row_stride = random_.one_in(2) ? 0 : row + random_.below(20);
         const uint64_t stride = frame.row_stride ? frame.row_stride : row;
@@ -334,6 +338,7 @@ private:
         if (random_.one_in(2)) frame.mesh_ids = meshes.data();
         if (random_.one_in(3)) frame.pixels = nullptr;
         spoil(frame, offsetof(rt_frame_desc, view), offsetof(rt_frame_desc, depth));
+        spoil(frame, offsetof(rt_frame_desc, light_block), sizeof frame);
         rt_frame_stats stats = rt_default_frame_stats();
         check(rt_render_frame(scene_, &camera, &frame, &stats));
     }

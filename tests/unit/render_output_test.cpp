@@ -1,5 +1,5 @@
-#include "render/display_curve.h"
-#include "render/half.h"
+#include "render/post/display_curve.h"
+#include "render/post/half.h"
 #include "render_scene.h"
 
 #include <bit>
@@ -10,6 +10,10 @@
 
 namespace peregrine::render {
 namespace {
+
+using post::DisplayCurve;
+using post::filmic_tone;
+using post::to_half;
 
 int exact_srgb(double x) {
     if (x >= 1) return 255;

@@ -1,5 +1,5 @@
-#include "shade/falloff.h"
-#include "shade/highlight.h"
+#include "shade/light/falloff.h"
+#include "shade/material/highlight.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1145,6 +1145,12 @@ enum {
     RT_TONE_NONE = 2    /* radiance as it is; float formats only, ignores exposure */
 };
 
+typedef int32_t rt_texture_filter;
+enum {
+    RT_TEXTURE_FINEST = 0, /* as rt_texture_desc says, of the texture as it is */
+    RT_TEXTURE_MIPMAPS = 1 /* of smaller copies where a pixel covers many texels */
+};
+
 /* Besides or instead of an image, a frame delivers what its primary rays see, as further planes of
  * height rows of width elements: any of depth, triangle_ids, mesh_ids and normals that is not null.
  * With `pixels` null nothing is shaded. A plane holds what rt_trace_query with RT_QUERY_ALPHA_TEST
@@ -1172,6 +1178,18 @@ typedef struct rt_frame_desc {
     uint64_t mesh_row_stride;
     uint64_t normal_row_stride;
     rt_snapshot snapshot; /* null: the current one */
+    /* What follows trades error for time; zeros are exact. docs/rendering.md has each one's price. */
+    uint32_t light_block; /* pixels. 0, 1: light is found at each; 4, 8, 16: in blocks of so many,
+                             only where it changes */
+    float light_tolerance; /* how far light may be from what lies between, as a part of it, before
+                              a block is cut; >= 0 */
+    rt_texture_filter texture_filter;
+    float least_light;     /* steps of an 8-bit display; lamps that give a place less are left out;
+                              >= 0 */
+    uint32_t edge_samples; /* rays through a pixel at an edge: 0, 1: one; 2 to 16 */
+    float edge_budget;     /* at most so many more rays, as a part of the pixels; >= 0; 0: no limit */
+    uint32_t render_width; /* the picture is traced so wide and high, at most width and height, and */
+    uint32_t render_height; /* enlarged along edges; 0: width, height. Planes are not. */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1181,6 +1199,8 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.exposure = 1.0f;
     desc.depth_range = 50.0f;
     desc.steps_range = 100.0f;
+    desc.light_block = 8;
+    desc.light_tolerance = 0.03f;
     return desc;
 }
 
@@ -1192,6 +1212,8 @@ typedef struct rt_frame_stats {
     double frame_ms; /* wall time of the call */
     rt_isa isa;      /* of the kernels */
     uint32_t reserved;
+    uint64_t rays_edge;    /* beside one a pixel, for edges; not in rays_primary */
+    uint64_t light_points; /* of pixels and edge rays: where light was found, not interpolated */
 } rt_frame_stats;
 
 static inline rt_frame_stats rt_default_frame_stats(void) {

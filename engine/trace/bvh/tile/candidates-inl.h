@@ -74,6 +74,7 @@ struct TileEdges {
     V8 a[3], b[3], c[3]; // as TileFacets has them
     V8 na, nb, nc;
     V8 height;
+    V8 sure;
 
     HWY_INLINE HWY_ATTR TileEdges(const TileFacets& facets, uint32_t lane) {
         for (int k = 0; k < 3; ++k) {
@@ -85,10 +86,11 @@ struct TileEdges {
         nb = hn::Set(k8, facets.det_b[lane]);
         nc = hn::Set(k8, facets.det_c[lane]);
         height = hn::Set(k8, facets.height[lane]);
+        sure = hn::Set(k8, facets.sure[lane]);
     }
 
-    // The groups of `mask` that may be hit; adds those within all edges to `inside`. A group's
-    // slopes reach 3.5 pixels from its middle.
+    // The groups of `mask` that may be hit; `inside` are those with all rays within all edges. A
+    // group's slopes reach 3.5 pixels from its middle.
     HWY_INLINE HWY_ATTR uint32_t find_groups(const Tile& tile, uint32_t mask,
                                              uint32_t& inside) const {
         const V8 half = hn::Set(k8, 3.5f * kPixelSlope);
@@ -110,7 +112,7 @@ struct TileEdges {
             const auto missed =
                 hn::Or(hn::Lt(most, hn::Zero(k8)), hn::Lt(hn::Mul(n, limit), height));
             open |= (~bits_of(k8, missed) & 255u) << g;
-            inside |= bits_of(k8, hn::Ge(least, hn::Zero(k8))) << g;
+            inside |= bits_of(k8, hn::Gt(least, sure)) << g;
         }
         return open & mask;
     }

@@ -30,7 +30,8 @@ using accel::bvh::Block;
 // canonical functions are off by 24 D 2 W e, which makes 48 D W; that the ray is rounded makes, by
 // a triple product, (48 D + 72 W) W; both times S / |det|. The rounding of V, 5 D m, makes 10 D
 // ((X + Z) (my + mz) + (Y + Z) (mx + mz)); that of a, b, c and the sums 13 (Y Z + X Z + X Y), for
-// which 16 are taken. Below the sum of these, negated, a ray is missed.
+// which 16 are taken. Below the sum of these, negated, a ray is missed; beyond it the ray is inside
+// for certain.
 //
 // *Plane.* N(p, q) = the sum of the three, and t N = h = V0 . (the sum of Vi x Vj) in the plane. At
 // a hit t N differs from h by |N_a| tx + |N_b| ty + |N_c| tz at most, t being m (15 + 4.5 k) D, of
@@ -43,7 +44,8 @@ using accel::bvh::Block;
 // *Window.* A triangle that is ahead is seen within the window of its vertices, moved by (tx + tz)
 // / Z and what a division loses.
 struct TileFacets {
-    alignas(16) float a[3][4], b[3][4], c[3][4];    // of edges, inside positive, tolerance added
+    alignas(16) float a[3][4], b[3][4], c[3][4]; // of edges, inside positive, tolerance added
+    alignas(16) float sure[4]; // of a, b, c beyond which a ray is inside for certain
     alignas(16) float det_a[4], det_b[4], det_c[4]; // of planes likewise
     alignas(16) float height[4];                    // h, less what it may be off by
     alignas(16) float vertex[3][3][4]; // as the canonical test has them: vertex, axis, triangle
@@ -186,6 +188,7 @@ inline HWY_ATTR uint32_t TileFacets::project(const Tile& tile, const Block& bloc
     const V4 needed = hn::Mul(hn::Mul(hn::Set(k4, 4.04f), hn::Add(tolerance, det_tolerance)),
                               hn::Add(v.most_z, tz));
     certain = bits_of(k4, hn::Gt(least_h, needed)) & 15u;
+    hn::Store(hn::Add(tolerance, tolerance), k4, sure);
     const V4 sign = hn::And(h, hn::Set(k4, -0.0f));
     back = bits_of(k4, hn::Gt(tile.mirrored ? hn::Neg(h) : h, hn::Zero(k4)));
     V4 most = hn::Set(k4, std::numeric_limits<float>::infinity());

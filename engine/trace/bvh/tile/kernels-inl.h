@@ -134,7 +134,7 @@ private:
         const uint32_t at = group * kTileGroupRays + eight * 8;
         const M8 maybe = steps.find<Inside>(edges, over, eight, board_.best(at));
         if (hn::AllFalse(k8, maybe)) return false;
-        return decide_eight(judge, index, at, maybe);
+        return decide_eight<Inside>(judge, index, at, maybe);
     }
 
     // A facet of which the window alone is known.
@@ -147,13 +147,14 @@ private:
             uint32_t eights = eights_in_window(facets, lane, group);
             for (; eights; eights &= eights - 1) {
                 const uint32_t eight = uint32_t(__builtin_ctz(eights));
-                changed |= decide_eight(judge, index, group * kTileGroupRays + eight * 8,
-                                        hn::FirstN(k8, 8));
+                changed |= decide_eight<false>(judge, index, group * kTileGroupRays + eight * 8,
+                                               hn::FirstN(k8, 8));
             }
             if (changed) update_limit(group);
         }
     }
 
+    template <bool Inside>
     HWY_INLINE HWY_ATTR bool decide_eight(const Judge& facet, uint32_t index, uint32_t at,
                                           M8 maybe) {
         const V8 dz = hn::Load(k8, direction_z_ + at);

@@ -1,0 +1,48 @@
+#include "frame_options.h"
+
+#include "check.h"
+
+namespace peregrine::abi {
+namespace {
+
+constexpr uint32_t kMostEdgeSamples = 16;
+
+static_assert(RT_TEXTURE_FINEST == int(render::TextureFilter::finest));
+static_assert(RT_TEXTURE_MIPMAPS == int(render::TextureFilter::mipmaps));
+
+uint32_t to_light_block(uint32_t block) {
+    if (block > 1 && block != 4 && block != 8 && block != 16)
+        base::fail(base::Code::invalid_argument,
+                   "rt_frame_desc.light_block is %u; it must be 0, 1, 4, 8 or 16", block);
+    return std::max(block, 1u);
+}
+
+uint32_t to_side(uint32_t side, uint32_t whole, const char* field) {
+    if (side > whole)
+        base::fail(base::Code::invalid_argument, "%s is %u, which is more than the frame's %u",
+                   field, side, whole);
+    return side == 0 ? whole : side;
+}
+
+} // namespace
+
+render::Approximations to_approximations(const rt_frame_desc& in) {
+    render::Approximations out;
+    out.light_block = to_light_block(in.light_block);
+    require_least_zero(in.light_tolerance, "rt_frame_desc.light_tolerance");
+    out.light_tolerance = in.light_tolerance;
+    require_enum(in.texture_filter, RT_TEXTURE_MIPMAPS, "rt_frame_desc.texture_filter");
+    out.texture_filter = render::TextureFilter(in.texture_filter);
+    require_least_zero(in.least_light, "rt_frame_desc.least_light");
+    out.least_light = in.least_light;
+    if (in.edge_samples > 1)
+        require_extent(in.edge_samples, kMostEdgeSamples, "rt_frame_desc.edge_samples");
+    out.edge_samples = std::max(in.edge_samples, 1u);
+    require_least_zero(in.edge_budget, "rt_frame_desc.edge_budget");
+    out.edge_budget = in.edge_budget;
+    out.render_width = to_side(in.render_width, in.width, "rt_frame_desc.render_width");
+    out.render_height = to_side(in.render_height, in.height, "rt_frame_desc.render_height");
+    return out;
+}
+
+} // namespace peregrine::abi

@@ -1,0 +1,87 @@
+#include "render/plan.h"
+
+#include "render/planes.h"
+#include "render/post/encode.h"
+#include "render/post/tones.h"
+#include "render/primary_rays.h"
+#include "render/shading.h"
+#include "render/views.h"
+#include "scene/alpha_test.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace peregrine::render {
+namespace {
+
+// The features that a frame looks at.
+uint32_t features_seen(const scene::Snapshot& snapshot, const Frame& frame) {
+    if (!frame.pixels) return 0;
+    return frame.view == View::shaded ? snapshot.features : snapshot.features & scene::kNormalMaps;
+}
+
+trace::Filter primary_filter(const scene::Snapshot& snapshot) {
+    trace::Filter filter;
+    filter.cull_single_sided = (snapshot.features & scene::kSingleSidedMaterials) != 0;
+    filter.alpha = scene::alpha_test(snapshot);
+    return filter;
+}
+
+constexpr double kFar = 1024;      // metres
+constexpr float kUnseen = 0.0007f; // radiance: half a step of the filmic curve in the dark
+
+// What surfaces and lights are relative to while they are shaded: the world's origin, or the eye if
+// it sees meshes that keep their precision far away from there.
+math::Vec3d shading_origin(const scene::Snapshot& snapshot, const math::Vec3d& eye) {
+    const bool is_far = std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}) > kFar;
+    return is_far && !snapshot.placements.empty() ? eye : math::Vec3d(0);
+}
+
+shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
+                          base::Vector<shade::PreparedLight>& lights) {
+    const math::Vec3d origin = shading_origin(snapshot, camera.position);
+    if (frame.pixels) {
+        lights.reserve(snapshot.lights.size());
+        for (const scene::Light& light : snapshot.lights)
+            lights.push_back(shade::prepare(light, snapshot.world.bounds, origin));
+    }
+    const shade::Shader shader(snapshot, features_seen(snapshot, frame), frame.shadows, lights,
+                               origin);
+    if (shader.proofs_hold())
+        for (size_t i = 0; i < std::min(lights.size(), snapshot.light_views.size()); ++i)
+            lights[i].visibility = snapshot.light_views[i].get();
+    return shader;
+}
+
+Stage stage_of(const Frame& frame) {
+    switch (frame.view) {
+    case View::normals:
+        return show_normals;
+    case View::depth:
+        return show_depth;
+    case View::steps:
+        return show_steps;
+    default:
+        return frame.approximations.light_block > 1 ? shade_blocks : shade_tile;
+    }
+}
+
+} // namespace
+
+Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& frame_,
+           base::Vector<shade::PreparedLight>& lights)
+    : snapshot(snapshot_), frame(frame_), pinhole(camera, frame_.width, frame_.height),
+      eye(camera.position), filter(primary_filter(snapshot_)),
+      shader(make_shader(snapshot_, camera, frame_, lights)),
+      block_light(shader, snapshot_.environment, frame_.approximations.light_tolerance,
+                  glm::length(pinhole.right), kUnseen / frame_.exposure) {
+    if (frame.wants_planes()) add(fetch_planes);
+    add(trace_primary_rays);
+    if (frame.wants_planes()) add(write_planes);
+    if (!frame.pixels) return;
+    add(stage_of(frame));
+    add(post::tones_of(frame));
+    add(post::encoder_of(frame));
+}
+
+} // namespace peregrine::render

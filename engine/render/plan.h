@@ -1,0 +1,48 @@
+#pragma once
+
+#include "render/camera.h"
+#include "render/frame.h"
+#include "shade/blocks/block_light.h"
+#include "shade/shader.h"
+#include "trace/filter.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace peregrine::render {
+
+struct Plan;
+struct TileBuffers;
+
+// A step of each tile's way from rays to pixels.
+using Stage = void (*)(const Plan& plan, TileBuffers& buffers);
+
+// How a frame is made: the stages that it needs, in order, and what they share. Read-only.
+struct Plan {
+    const scene::Snapshot& snapshot;
+    const Frame& frame;
+    Pinhole pinhole;
+    math::Vec3d eye;      // where its rays begin
+    trace::Filter filter; // of primary rays
+    shade::Shader shader;
+    shade::BlockLight block_light; // of frames with light in blocks
+
+    // All must outlive the plan; `lights` is filled with those of the snapshot.
+    Plan(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
+         base::Vector<shade::PreparedLight>& lights);
+
+    std::span<const Stage> stages() const { return {stages_.data(), count_}; }
+
+private:
+    static constexpr uint32_t kMostStages = 8;
+
+    void add(Stage stage) {
+        if (stage) stages_[count_++] = stage;
+    }
+
+    std::array<Stage, kMostStages> stages_{};
+    uint32_t count_ = 0;
+};
+
+} // namespace peregrine::render

@@ -1,0 +1,54 @@
+#include "render/post/display_curve.h"
+
+#include <cmath>
+#include <limits>
+
+namespace peregrine::render::post {
+namespace {
+
+double srgb_to_linear(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+double inverse_of_clamp(double value) {
+    return value;
+}
+
+// filmic_tone(x) = value is a quadratic equation in x with one positive root.
+double inverse_of_filmic(double value) {
+    const double a = 2.51 - 2.43 * value, b = 0.03 - 0.59 * value, c = -0.14 * value;
+    return (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
+}
+
+float smallest_float_from(double value) {
+    const auto rounded = float(value);
+    return double(rounded) >= value
+               ? rounded
+               : std::nextafter(rounded, std::numeric_limits<float>::infinity());
+}
+
+} // namespace
+
+const DisplayCurve& DisplayCurve::clamp() {
+    static const DisplayCurve curve(inverse_of_clamp);
+    return curve;
+}
+
+const DisplayCurve& DisplayCurve::filmic() {
+    static const DisplayCurve curve(inverse_of_filmic);
+    return curve;
+}
+
+DisplayCurve::DisplayCurve(double (*inverse)(double)) {
+    threshold_[0] = 0;
+    for (int code = 1; code < 256; ++code)
+        threshold_[code] = smallest_float_from(inverse(srgb_to_linear((code - 0.5) / 255.0)));
+    threshold_[256] = std::numeric_limits<float>::infinity();
+    uint32_t code = 0;
+    for (uint32_t bin = 0; bin < kBins; ++bin) {
+        while (threshold_[code + 1] <= std::bit_cast<float>((kFirstBin + bin) << kShift)) ++code;
+        first_code_[bin] = uint8_t(code);
+    }
+}
+
+} // namespace peregrine::render::post

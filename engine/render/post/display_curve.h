@@ -1,0 +1,47 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace peregrine::render::post {
+
+// Linear light to 8-bit sRGB codes (IEC 61966-2-1) through a tone curve, equal to the exactly
+// rounded value of the formulas. A code begins at a threshold. Floats are binned by their upper
+// bits, 128 bins to an octave; a bin is at most 0.79 % wide and thresholds are at least 0.93 %
+// apart (both curves gain at most 106 codes from a factor of e), so a bin holds one threshold at
+// most: a table gives the code at the bin's lower end, a comparison does the rest.
+class DisplayCurve {
+public:
+    // Built by the first call. Thread safe.
+    static const DisplayCurve& clamp();  // cut at 1
+    static const DisplayCurve& filmic(); // see filmic_tone()
+
+    // NaN gives 0.
+    uint8_t encode(float x) const {
+        const float low = x > kLowest ? x : kLowest;
+        const float inside = low < kHighest ? low : kHighest;
+        const uint32_t bin = (std::bit_cast<uint32_t>(inside) >> kShift) - kFirstBin;
+        const uint32_t code = first_code_[bin];
+        return uint8_t(code + (inside >= threshold_[code + 1]));
+    }
+
+private:
+    static constexpr float kLowest = 0x1p-13f; // code 0 on every curve
+    static constexpr float kHighest = 8.0f;    // code 255
+    static constexpr uint32_t kShift = 16;
+    static constexpr uint32_t kFirstBin = std::bit_cast<uint32_t>(kLowest) >> kShift;
+    static constexpr uint32_t kBins = (std::bit_cast<uint32_t>(kHighest) >> kShift) - kFirstBin + 1;
+
+    // `inverse` gives the light that the curve maps to a linear value in (0, 1).
+    explicit DisplayCurve(double (*inverse)(double));
+
+    float threshold_[257]; // the smallest float that has the code
+    uint8_t first_code_[kBins];
+};
+
+// Narkowicz, "ACES Filmic Tone Mapping Curve", 2015; before it is cut at 1.
+inline float filmic_tone(float x) {
+    return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
+}
+
+} // namespace peregrine::render::post

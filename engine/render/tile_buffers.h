@@ -1,0 +1,61 @@
+#pragma once
+
+#include "base/slot_map.h"
+#include "render/tile.h"
+#include "shade/blocks/tile_light.h"
+#include "shade/scratch.h"
+#include "shade/surface/ray_hits.h"
+
+namespace peregrine::render {
+
+static_assert(kTilePadded * sizeof(float) % 64 == 0, "the kernels want aligned arrays");
+
+// One thread's working memory, used for tile after tile: what the stages of a plan hand on.
+struct alignas(64) TileBuffers {
+    Tile tile;
+
+    alignas(64) float origin[3][kTilePadded]; // of the primary rays, ...
+    alignas(64) float direction[3][kTilePadded];
+    alignas(64) float t_min[kTilePadded];
+    alignas(64) float t_max[kTilePadded];
+    alignas(64) float t[kTilePadded]; // ... and of what they hit
+    alignas(64) float u[kTilePadded];
+    alignas(64) float v[kTilePadded];
+    alignas(64) uint32_t triangle[kTilePadded];
+    alignas(64) uint32_t back_face[kTilePadded];
+    alignas(64) uint32_t steps[kTilePadded];
+    alignas(64) uint32_t triangle_id[kTileRays]; // as the host knows them
+    alignas(64) base::Handle mesh_id[kTileRays];
+
+    TileColors colors; // radiance, then display values
+    shade::Scratch scratch;
+    shade::TileLight light;
+
+    // Calls function(hits, first) for batches of the tile's rays, `first` being a batch's first.
+    template <class Function>
+    void for_each_batch(Function&& function) {
+        for (uint32_t first = 0; first < tile.count; first += shade::kBatch)
+            function(hits_from(first), first);
+    }
+
+    struct Channels {
+        float* channel[3];
+    };
+    Channels colors_from(uint32_t first) {
+        return {{colors.channel[0] + first, colors.channel[1] + first, colors.channel[2] + first}};
+    }
+
+private:
+    static_assert(kTileRays % shade::kBatch == 0);
+
+    shade::RayHits hits_from(uint32_t first) const {
+        return {{direction[0] + first, direction[1] + first, direction[2] + first},
+                u + first,
+                v + first,
+                triangle + first,
+                back_face + first,
+                std::min(tile.count - first, shade::kBatch)};
+    }
+};
+
+} // namespace peregrine::render

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "shade/material/program.h"
+#include "shade/surface/surface.h"
+
+#include <algorithm>
+
+namespace peregrine::shade {
+
+// Light that arrived at a batch.
+struct alignas(64) Illumination {
+    Surface::Lanes irradiance[3];
+    Surface::Lanes highlight[3]; // irradiance times the lobe; with Program::highlight
+
+    void clear(Program program) {
+        const uint32_t lanes = program == Program::matt ? 3 : 6;
+        std::fill_n(&irradiance[0][0], lanes * kPadded, 0.0f);
+    }
+};
+
+// What one light gives to a batch, in parts of its colour.
+struct alignas(64) LightWeights {
+    Surface::Lanes diffuse; // fall-off times cosine
+    Surface::Lanes lobe;    // times this: the highlight
+};
+
+} // namespace peregrine::shade

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "scene/snapshot.h"
+#include "shade/light/illumination.h"
+#include "shade/light/prepared_light.h"
+#include "shade/light/shadow_memory.h"
+#include "shade/surface/space.h"
+#include "trace/filter.h"
+#include "trace/kernels.h"
+
+namespace peregrine::shade {
+
+// Who sees a light. Read-only: all threads share it.
+class Shadows {
+public:
+    // Lights and surfaces are relative to `space.origin`.
+    Shadows(const scene::Snapshot& snapshot, const SurfaceSpace& space);
+
+    // Whether anything that moves may be in the way from the points to the light.
+    bool something_moves_before(const PreparedLight& light, const math::Box& points) const;
+
+    // Traces the first `ray_count` rays that are listed in `memory`, and takes the light away where
+    // something is in between; returns of how many rays. `some_are_lit`: those with State::lit in
+    // memory.states are so as far as fixed triangles are concerned.
+    uint32_t hide_occluded(const PreparedLight& light, uint32_t ray_count, bool some_are_lit,
+                           ShadowMemory& memory, LightWeights& weights) const;
+
+private:
+    trace::RayStream list(const PreparedLight& light, uint32_t ray_count,
+                          ShadowMemory& memory) const;
+    trace::RayStream in_world(trace::RayStream rays, ShadowMemory& memory) const;
+    void ask_for_mixed(const trace::RayStream& rays, ShadowMemory& memory) const;
+
+    const scene::Snapshot* snapshot_;
+    SurfaceSpace space_;
+    trace::Filter filter_;
+};
+
+} // namespace peregrine::shade

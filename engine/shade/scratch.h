@@ -1,0 +1,17 @@
+#pragma once
+
+#include "shade/light/illumination.h"
+#include "shade/light/shadow_memory.h"
+#include "shade/surface/surface.h"
+
+namespace peregrine::shade {
+
+// Working memory for one thread.
+struct alignas(64) Scratch {
+    Surface surface;
+    Illumination light;
+    LightWeights weights;
+    ShadowMemory shadow;
+};
+
+} // namespace peregrine::shade

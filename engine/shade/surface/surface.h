@@ -1,0 +1,45 @@
+#pragma once
+
+#include "math/box.h"
+
+#include <cstdint>
+
+namespace peregrine::shade {
+
+inline constexpr uint32_t kBatch = 256;          // rays shaded at a time: they fit the L1 cache
+inline constexpr uint32_t kPadded = kBatch + 16; // vectors may write this far
+
+// Neighbouring rays that hit the same side of one triangle, or nothing.
+struct TriangleRun {
+    uint32_t begin, end;
+    bool relief; // it has a normal map
+};
+
+// What is asked about surfaces: what light wants to know, how they look, or both.
+enum class SurfacePart : uint32_t { all = 0, geometry = 1, colors = 2 };
+
+// What lies at the hits of a batch of rays, as separate arrays. A ray that missed has zero normals
+// and so catches no light.
+struct alignas(64) Surface {
+    using Lanes = float[kPadded];
+
+    // Of SurfacePart::geometry.
+    Lanes position[3];  // in a SurfaceSpace, lifted off the surface: shadow rays begin here
+    Lanes geometric[3]; // unit normal of the triangle, toward the viewer
+    Lanes normal[3];    // unit shading normal
+    Lanes bend;         // 1 / (geometric . normal)
+    Lanes mirror[3];    // unit, the view mirrored by `normal`; it and ...
+    Lanes shininess;    // ... this with kSpecular
+    math::Box bounds;   // of the positions that were hit
+
+    // Of SurfacePart::colors.
+    Lanes albedo[3];
+    Lanes specular[3]; // with kSpecular
+    Lanes emissive[3]; // with kEmissive
+
+    uint32_t run_count;
+    TriangleRun runs[kBatch];
+};
+static_assert(sizeof(Surface::Lanes) % 64 == 0);
+
+} // namespace peregrine::shade
