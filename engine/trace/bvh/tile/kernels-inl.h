@@ -52,14 +52,15 @@ private:
             const TileEntry entry = stack[--depth];
             const uint32_t groups = tile_.reaching(entry.groups, entry.z);
             if (groups == 0) continue;
-            const float limit = tile_.limit_of(groups);
             if (entry.link.is_leaf()) {
-                visit_leaf(entry.link, groups, limit);
+                visit_leaf(entry.link, groups);
+                if (changed_) tile_.update_limits(changed_, board_.all_t());
+                changed_ = 0;
                 continue;
             }
             ++visited;
             const Node& node = fetch_node(target_, entry.link.node(), room);
-            const TileChildren children(tile_, node, limit);
+            const TileChildren children(tile_, node, tile_.limit);
             const uint32_t bottom = depth;
             for (uint32_t bits = children.entered; bits; bits &= bits - 1) {
                 const uint32_t child = uint32_t(__builtin_ctz(bits));
@@ -75,13 +76,13 @@ private:
         return visited;
     }
 
-    HWY_INLINE HWY_ATTR void visit_leaf(Link link, uint32_t groups, float limit) {
+    HWY_INLINE HWY_ATTR void visit_leaf(Link link, uint32_t groups) {
         LeafRoom room;
         const Leaf leaf = fetch_leaf(target_, link, room);
         const Block* block = leaf.blocks;
         for (uint32_t first = 0; first < leaf.count; first += accel::bvh::kBlockWidth, ++block) {
             TileFacets facets;
-            uint32_t lanes = facets.project(tile_, *block, limit);
+            uint32_t lanes = facets.project(tile_, *block, tile_.limit);
             if (leaf.count - first < accel::bvh::kBlockWidth)
                 lanes &= (1u << (leaf.count - first)) - 1;
             for (; lanes; lanes &= lanes - 1) {
@@ -123,7 +124,7 @@ private:
                     changed |= meet_eight<false>(edges, steps, over, judge, index, group,
                                                  uint32_t(__builtin_ctz(eights)));
             }
-            if (changed) update_limit(group);
+            changed_ |= uint32_t(changed) << group;
         }
     }
 
@@ -150,7 +151,7 @@ private:
                 changed |= decide_eight<false>(judge, index, group * kTileGroupRays + eight * 8,
                                                hn::FirstN(k8, 8));
             }
-            if (changed) update_limit(group);
+            changed_ |= uint32_t(changed) << group;
         }
     }
 
@@ -159,7 +160,7 @@ private:
                                           M8 maybe) {
         const V8 dz = hn::Load(k8, direction_z_ + at);
         const EightHits hits =
-            judge<false>(facet, hn::Load(k8, tile_.sx + at), hn::Load(k8, tile_.sy + at), dz, maybe,
+            judge<Inside>(facet, hn::Load(k8, tile_.sx + at), hn::Load(k8, tile_.sy + at), dz, maybe,
                          hn::Zero(k8), board_.best(at));
         const V8u keys = keys_of(index, hits);
         M8 wins = board_.find_wins(at, hits, keys);
@@ -172,18 +173,12 @@ private:
         return true;
     }
 
-    HWY_INLINE HWY_ATTR void update_limit(uint32_t group) {
-        V8 most = board_.best(group * kTileGroupRays);
-        for (uint32_t i = 8; i < kTileGroupRays; i += 8)
-            most = hn::Max(most, board_.best(group * kTileGroupRays + i));
-        tile_.group_limit[group] = hn::GetLane(hn::MaxOfLanes(k8, most));
-    }
-
     const Target& target_;
     Tile& tile_;
     const float* direction_z_;
     const Filter& filter_;
     HitBoard board_;
+    uint32_t changed_ = 0; // groups with hits since their limits were known
 };
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE

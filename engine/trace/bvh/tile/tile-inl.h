@@ -12,6 +12,7 @@
 #include "geometry/intersect.h"
 #include "math/vec.h"
 #include "simd/lanes-inl.h"
+#include "simd/transpose-inl.h"
 #include "trace/kernels.h"
 #include "trace/slabs.h"
 
@@ -80,10 +81,14 @@ struct Tile {
 
     // sx and sy of geometry::shear.
     alignas(64) float sx[kTileRays], sy[kTileRays];
-    alignas(64) float group_limit[kTileGroups]; // the largest t that rays still want
+    alignas(64) float group_limit[kTileGroups]; // the largest t that rays still want, ...
+    float limit;                                // ... and that of all groups
 
     // False if the kernels for a tile had better not take these rays.
     HWY_ATTR bool gather(const Target& target, const RayStream& rays);
+
+    // After hits of rays in `groups`, given the t of all rays.
+    HWY_INLINE HWY_ATTR void update_limits(uint32_t groups, const float* t);
 
     // Groups of `mask` that can still be hit at z or beyond.
     HWY_INLINE HWY_ATTR uint32_t reaching(uint32_t mask, float z) const {
@@ -91,11 +96,6 @@ struct Tile {
         return (bits_of(k8, hn::Ge(hn::Load(k8, group_limit), at))
                 | bits_of(k8, hn::Ge(hn::Load(k8, group_limit + 8), at)) << 8)
                & mask;
-    }
-    HWY_INLINE HWY_ATTR float limit_of(uint32_t mask) const {
-        const V8 low = hn::IfThenElseZero(mask_of(mask), hn::Load(k8, group_limit));
-        const V8 high = hn::IfThenElseZero(mask_of(mask >> 8), hn::Load(k8, group_limit + 8));
-        return hn::GetLane(hn::MaxOfLanes(k8, hn::Max(low, high)));
     }
 
 private:
@@ -164,13 +164,33 @@ inline HWY_ATTR bool Tile::gather_slopes(const RayStream& rays) {
     return hn::AllTrue(k8, hn::Lt(steepest, hn::Set(k8, 1.0f)));
 }
 
+// Eight groups at a time: a lane of `column` is a group's.
+HWY_INLINE HWY_ATTR void Tile::update_limits(uint32_t groups, const float* t) {
+    for (uint32_t first = 0; first < kTileGroups; first += 8) {
+        if ((groups >> first & 255) == 0) continue;
+        V8 row[8], column[8];
+        for (uint32_t g = 0; g < 8; ++g) {
+            const float* const of_group = t + (first + g) * kTileGroupRays;
+            row[g] = hn::Load(k8, of_group);
+            for (uint32_t i = 8; i < kTileGroupRays; i += 8)
+                row[g] = hn::Max(row[g], hn::Load(k8, of_group + i));
+        }
+        transpose(row, column);
+        for (uint32_t i = 1; i < 8; ++i) column[0] = hn::Max(column[0], column[i]);
+        hn::Store(column[0], k8, group_limit + first);
+    }
+    const V8 most = hn::Max(hn::Load(k8, group_limit), hn::Load(k8, group_limit + 8));
+    limit = hn::GetLane(hn::MaxOfLanes(k8, most));
+}
+
 inline HWY_ATTR bool Tile::gather(const Target& target, const RayStream& rays) {
     const math::Ray ray = ray_at(rays, 0);
     origin = ray.origin;
     const geometry::Axes axes = geometry::axes_of(ray.direction);
     kx = axes.kx, ky = axes.ky, kz = axes.kz;
     if (!place(target, *rays.tile) || !gather_slopes(rays)) return false;
-    std::fill_n(group_limit, kTileGroups, std::numeric_limits<float>::max());
+    limit = std::numeric_limits<float>::max();
+    std::fill_n(group_limit, kTileGroups, limit);
     return true;
 }
 
