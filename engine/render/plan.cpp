@@ -17,7 +17,8 @@ namespace {
 // The features that a frame looks at.
 uint32_t features_seen(const scene::Snapshot& snapshot, const Frame& frame) {
     if (!frame.pixels) return 0;
-    return frame.view == View::shaded ? snapshot.features : snapshot.features & scene::kNormalMaps;
+    const bool has_light = frame.view == View::shaded || frame.view == View::light;
+    return has_light ? snapshot.features : snapshot.features & scene::kNormalMaps;
 }
 
 trace::Filter primary_filter(const scene::Snapshot& snapshot) {
@@ -61,6 +62,8 @@ Stage stage_of(const Frame& frame) {
         return show_depth;
     case View::steps:
         return show_steps;
+    case View::light:
+        return show_light;
     default:
         return frame.approximations.light_block > 1 ? shade_blocks : shade_tile;
     }

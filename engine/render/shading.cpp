@@ -27,7 +27,7 @@ public:
             for (uint32_t k = 0; k < 4; ++k) list(x + (k & 1) * half, y + (k >> 1) * half, half);
         } else {
             for (const uint32_t end = first_ + w * h; first_ < end; ++first_)
-                light_.want(first_, Block::kNothing);
+                light_.want_whole(first_, Block::kNothing);
         }
     }
 
@@ -52,9 +52,8 @@ void shade_tile(const Plan& plan, TileBuffers& buffers) {
     buffers.light.point_count += buffers.tile.count;
 }
 
-void shade_blocks(const Plan& plan, TileBuffers& buffers) {
+void find_light(const Plan& plan, TileBuffers& buffers) {
     TileLight& light = buffers.light;
-    shade::Scratch& scratch = buffers.scratch;
     light.begin(buffers.tile.count);
     BlockLister(buffers.tile, light).list_all(plan.frame.approximations.light_block);
     const auto& [dx, dy, dz] = buffers.direction;
@@ -65,7 +64,13 @@ void shade_blocks(const Plan& plan, TileBuffers& buffers) {
                            buffers.triangle,
                            buffers.back_face,
                            buffers.tile.count},
-                          light, scratch);
+                          light, buffers.scratch);
+}
+
+void shade_blocks(const Plan& plan, TileBuffers& buffers) {
+    find_light(plan, buffers);
+    const TileLight& light = buffers.light;
+    shade::Scratch& scratch = buffers.scratch;
     const bool lobes = plan.shader.program() == shade::Program::highlight;
     buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
         plan.shader.find_surfaces(hits, shade::SurfacePart::colors, scratch);

@@ -60,7 +60,7 @@ constexpr ByProgram<FindRadiance> radiance_by_program(List<Program...>) {
 
 constexpr Kernels kKernels = {
     {find_surfaces<SurfacePart::all>, find_surfaces<SurfacePart::geometry>,
-     find_surfaces<SurfacePart::colors>},
+     find_surfaces<SurfacePart::colors>, find_surfaces<SurfacePart::geometry>},
     recall,
     weigh_by_kind(LightKinds()),
     add_by_program(Programs()),

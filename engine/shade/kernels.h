@@ -58,7 +58,7 @@ using FindRadiance = void (*)(const Surface& surface, const Illumination& light,
 
 // The loops over a batch, compiled for each instruction set; all of them give the same bits.
 struct Kernels {
-    std::array<FindSurfaces, 3> find_surfaces; // by SurfacePart
+    std::array<FindSurfaces, kSurfaceParts> find_surfaces; // by SurfacePart
 
     // What is remembered of the light at each point, as visibility::State; returns which of them
     // occur, as bits.

@@ -21,7 +21,9 @@ Shader::Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
       program_(program_for(features)), lighting_(snapshot, lights, space_, program_, shadows) {}
 
 void Shader::find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const {
-    kernels_->find_surfaces[uint32_t(part)](*snapshot_, features_, space_, hits, scratch.surface);
+    const uint32_t features =
+        part == SurfacePart::smooth ? features_ & ~uint32_t(scene::kNormalMaps) : features_;
+    kernels_->find_surfaces[uint32_t(part)](*snapshot_, features, space_, hits, scratch.surface);
 }
 
 void Shader::find_radiance(const RayHits& hits, float* const radiance[3],

@@ -151,8 +151,8 @@ struct Kernels {
     const ShapeKernels* plain_shapes = nullptr; // these heed Watch::counters
 };
 
-// The table for an instruction set; null if this machine lacks it. `best` never fails. `compact`
-// says of a BVH which one the targets have.
+// The table for an instruction set; null if this machine or build lacks it. `best` never fails.
+// `compact` says of a BVH which one the targets have.
 const Kernels* select_kernels(Structure structure, base::Isa isa, bool compact = false);
 
 } // namespace peregrine::trace

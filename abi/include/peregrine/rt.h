@@ -1135,7 +1135,9 @@ enum {
     RT_VIEW_NORMALS = 1, /* 0.5 n + 0.5 of the shading normal */
     RT_VIEW_DEPTH = 2,   /* near is bright; `depth_range` is black */
     RT_VIEW_STEPS =
-        3 /* tree nodes visited by the primary ray as a heat map; `steps_range` is white */
+        3, /* tree nodes visited by the primary ray as a heat map; `steps_range` is white */
+    RT_VIEW_LIGHT = 4 /* how light was found: red: by shadow rays; green: from what was proved, or
+                         what neighbours know; blue: interpolated; black: nothing is seen */
 };
 
 typedef int32_t rt_tone_mapping;

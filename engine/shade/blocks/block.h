@@ -7,10 +7,10 @@ namespace peregrine::shade {
 // A square of a tile's rays: `first` and the side^2 - 1 after it, along Morton's curve.
 struct Block {
     uint16_t first;
-    uint8_t side;             // 4, 8 or 16
-    uint8_t known = kNothing; // what is known of its lights: index in TileLight::known
+    uint8_t side;              // 4, 8 or 16
+    uint16_t known = kNothing; // what is known of its lights: index in TileLight::known
 
-    static constexpr uint8_t kNothing = 0xff;
+    static constexpr uint16_t kNothing = 0xffff;
     static constexpr uint32_t kLeast = 4;
     static constexpr uint32_t kMost = 16;
 

@@ -16,6 +16,7 @@ void TileLight::begin(uint32_t ray_count) {
     std::fill_n(found, ray_count, false);
     std::fill_n(wanted, ray_count, false);
     for (List& list : pending) list.count = 0;
+    uneven.count = 0;
     known_count = 0;
 }
 
@@ -26,7 +27,8 @@ BlockLight::BlockLight(const Shader& shader, const scene::Environment& environme
 
 void BlockLight::find(const TileHits& hits, TileLight& out, Scratch& scratch) const {
     for (uint32_t level = 3; level-- > 0;) try_blocks(hits, level, out, scratch);
-    find_wanted(hits, out, scratch);
+    if (out.uneven.count > 0) try_groups(hits, out, scratch);
+    find_wanted(hits, SurfacePart::geometry, out, scratch);
 }
 
 void BlockLight::try_blocks(const TileHits& hits, uint32_t level, TileLight& out,
@@ -43,23 +45,22 @@ void BlockLight::try_blocks(const TileHits& hits, uint32_t level, TileLight& out
         list.blocks[kept++] = block;
     }
     if (kept == 0) return;
-    find_wanted(hits, out, scratch);
+    find_wanted(hits, SurfacePart::smooth, out, scratch);
     for (uint32_t i = 0; i < kept; ++i) judge(list.blocks[i], out);
 }
 
 // Of a block whose samples are lit.
 void BlockLight::judge(Block block, TileLight& out) const {
     LightMarks all;
-    if (!is_even(block, out) || !join_marks(block, out, all)) return cut(block, out);
-    if (block.known == Block::kNothing) {
-        block.known = uint8_t(out.known_count);
-        out.known[out.known_count++] = all;
-    }
+    if (!is_even(block, out)) return cut(block, out);
+    if (!join_marks(block, out, all))
+        return block.side == Block::kLeast ? want_all(block, out) : cut(block, out);
+    if (block.known == Block::kNothing) block.known = out.know(all);
     bool relief = false;
     for (uint32_t k = 0; k < Block::kSamples; ++k) relief |= out.relief[block.sample(k)];
     if (relief) return want_all(block, out);
     if (is_between(block, out)) return interpolate(block, out);
-    cut(block, out);
+    block.side == Block::kLeast ? want_all(block, out) : cut(block, out);
 }
 
 bool BlockLight::is_even(const Block& block, const TileLight& light) const {
@@ -121,30 +122,67 @@ void BlockLight::interpolate(const Block& block, TileLight& out) const {
 }
 
 void BlockLight::cut(const Block& block, TileLight& out) const {
-    if (block.side == Block::kLeast) return want_all(block, out);
+    if (block.side == Block::kLeast) return out.uneven.add(block);
     TileLight::List& quarters = out.pending[TileLight::level_of(block.side / 2u)];
     for (uint32_t k = 0; k < 4; ++k) quarters.add(block.quarter(k));
 }
 
+// Two pixels of each group say what the others see.
+void BlockLight::try_groups(const TileHits& hits, TileLight& out, Scratch& scratch) const {
+    for (uint32_t b = 0; b < out.uneven.count; ++b) {
+        const Block& block = out.uneven.blocks[b];
+        if (block.known != Block::kNothing) continue;
+        const PixelGroups groups(hits.t + block.first, pixel_);
+        for (uint32_t g = 0; g < groups.count; ++g) {
+            out.want(block.first + groups.first[g], Block::kNothing);
+            out.want(block.first + groups.last[g], Block::kNothing);
+        }
+    }
+    find_wanted(hits, SurfacePart::smooth, out, scratch);
+    for (uint32_t b = 0; b < out.uneven.count; ++b) {
+        const Block& block = out.uneven.blocks[b];
+        if (block.known == Block::kNothing)
+            want_groups(block, PixelGroups(hits.t + block.first, pixel_), out);
+        else
+            want_all(block, out);
+    }
+}
+
+void BlockLight::want_groups(const Block& block, const PixelGroups& groups, TileLight& out) const {
+    uint16_t known[PixelGroups::kMost];
+    for (uint32_t g = 0; g < groups.count; ++g) {
+        LightMarks all = out.marks[block.first + groups.first[g]];
+        const LightMarks& other = out.marks[block.first + groups.last[g]];
+        all.join(other);
+        known[g] = all.agree() && all.later == other.later ? out.know(all) : Block::kNothing;
+    }
+    for (uint32_t i = 0; i < block.size(); ++i) {
+        const uint8_t group = groups.of[i];
+        out.want_whole(block.first + i,
+                       group == PixelGroups::kNone ? Block::kNothing : known[group]);
+    }
+}
+
 void BlockLight::want_all(const Block& block, TileLight& out) const {
-    for (uint32_t i = block.first; i <= block.last(); ++i) out.want(i, block.known);
+    for (uint32_t i = block.first; i <= block.last(); ++i) out.want_whole(i, block.known);
 }
 
 // Finds light where it is wanted, in the order of the rays.
-void BlockLight::find_wanted(const TileHits& hits, TileLight& out, Scratch& scratch) const {
+void BlockLight::find_wanted(const TileHits& hits, SurfacePart part, TileLight& out,
+                             Scratch& scratch) const {
     uint32_t count = 0;
     for (uint32_t i = 0; i < hits.count; ++i) {
         if (!out.wanted[i]) continue;
         out.wanted[i] = false;
         out.ray[count++] = i;
         if (count < kBatch) continue;
-        find_batch(hits, count, out, scratch);
+        find_batch(hits, part, count, out, scratch);
         count = 0;
     }
-    if (count > 0) find_batch(hits, count, out, scratch);
+    if (count > 0) find_batch(hits, part, count, out, scratch);
 }
 
-void BlockLight::find_batch(const TileHits& hits, uint32_t count, TileLight& out,
+void BlockLight::find_batch(const TileHits& hits, SurfacePart part, uint32_t count, TileLight& out,
                             Scratch& scratch) const {
     BatchMarks& marks = out.batch;
     marks.any_known = false;
@@ -155,10 +193,12 @@ void BlockLight::find_batch(const TileHits& hits, uint32_t count, TileLight& out
         out.v[i] = hits.v[ray];
         out.triangle[i] = hits.triangle[ray];
         out.back_face[i] = hits.back_face[ray];
-        const uint8_t known = out.known_of[ray];
+        const uint16_t known = out.known_of[ray];
         marks.found[i] = LightMarks();
-        marks.known[i] = known == Block::kNothing ? nullptr : &out.known[known];
-        marks.any_known |= known != Block::kNothing;
+        marks.known[i] = out.found[ray]             ? &out.marks[ray]
+                         : known == Block::kNothing ? nullptr
+                                                    : &out.known[known];
+        marks.any_known |= marks.known[i] != nullptr;
     }
     const RayHits points = {{out.direction[0], out.direction[1], out.direction[2]},
                             out.u,
@@ -166,7 +206,7 @@ void BlockLight::find_batch(const TileHits& hits, uint32_t count, TileLight& out
                             out.triangle,
                             out.back_face,
                             count};
-    shader_.find_surfaces(points, SurfacePart::geometry, scratch);
+    shader_.find_surfaces(points, part, scratch);
     shader_.gather_light(points, scratch, &marks);
     const bool lobes = shader_.program() == Program::highlight;
     for (uint32_t i = 0; i < count; ++i) {
@@ -182,7 +222,8 @@ void BlockLight::find_batch(const TileHits& hits, uint32_t count, TileLight& out
     }
     for (uint32_t r = 0; r < scratch.surface.run_count; ++r) {
         const TriangleRun& run = scratch.surface.runs[r];
-        for (uint32_t i = run.begin; i < run.end; ++i) out.relief[out.ray[i]] = run.relief;
+        const bool relief = run.relief && part == SurfacePart::smooth;
+        for (uint32_t i = run.begin; i < run.end; ++i) out.relief[out.ray[i]] = relief;
     }
     out.point_count += count;
 }

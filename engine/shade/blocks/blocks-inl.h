@@ -7,7 +7,7 @@
 #endif
 
 #include "shade/blocks/block.h"
-#include "simd/vectors-inl.h"
+#include "simd/wide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shade/blocks/block.h"
+#include "shade/blocks/pixel_groups.h"
 #include "shade/light/marks.h"
 #include "shade/material/program.h"
 #include "shade/surface/surface.h"
@@ -33,13 +34,13 @@ struct alignas(64) TileLight {
     // Where light was found: what it was found for.
     Lanes normal[3];
     Lanes shininess;
-    bool relief[kMostTileRays];
+    bool relief[kMostTileRays]; // and it was found without the normal map that is there
     LightMarks marks[kMostTileRays];
     bool found[kMostTileRays];
 
     // Where it is to be found next, and what is known there: index in `known`.
     bool wanted[kMostTileRays];
-    uint8_t known_of[kMostTileRays];
+    uint16_t known_of[kMostTileRays];
 
     // By log2(side) - 2.
     struct List {
@@ -49,7 +50,11 @@ struct alignas(64) TileLight {
         void add(const Block& block) { blocks[count++] = block; }
     };
     List pending[3];
-    LightMarks known[84]; // a tile has 4 + 16 + 64 blocks
+    List uneven; // of the least side: pixels at several depths, or whose normals differ
+
+    // A tile has 4 + 16 + 64 blocks, and those of the least side have groups.
+    static constexpr uint32_t kMostKnown = 84 + 64 * PixelGroups::kMost;
+    LightMarks known[kMostKnown];
     uint32_t known_count;
 
     // A batch of points.
@@ -64,9 +69,17 @@ struct alignas(64) TileLight {
     uint64_t point_count; // of a frame
 
     static uint32_t level_of(uint32_t side) { return side == 4 ? 0 : side == 8 ? 1 : 2; }
-    void begin(uint32_t ray_count); // a tile
-    void want(uint32_t ray, uint8_t known_index) {
+    void begin(uint32_t ray_count);                 // a tile
+    uint16_t know(const LightMarks& found_marks) {
+        known[known_count] = found_marks;
+        return uint16_t(known_count++);
+    }
+    void want(uint32_t ray, uint16_t known_index) { // without normal maps
         wanted[ray] = !found[ray];
+        known_of[ray] = known_index;
+    }
+    void want_whole(uint32_t ray, uint16_t known_index) {
+        wanted[ray] = !found[ray] || relief[ray];
         known_of[ray] = known_index;
     }
 };

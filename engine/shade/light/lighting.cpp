@@ -79,6 +79,7 @@ void Lighting::mark(const Task& task, const Known& known, uint32_t ray_count) co
     }
     for (uint32_t k = 0; k < ray_count; ++k) {
         LightMarks& point = found[shadow.index[k]];
+        point.traced = true;
         if (shadow.occluded[k])
             point.miss(task.index);
         else if (task.scratch.weights.diffuse[shadow.index[k]] > 0)

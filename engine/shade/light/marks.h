@@ -13,6 +13,7 @@ struct LightMarks {
     uint64_t lit[kLights / 64]{};  // seen, where they reach the point at all
     uint64_t dark[kLights / 64]{}; // something is in between
     uint64_t later = 0;            // of the later ones that are seen
+    bool traced = false;           // a ray was traced to find that out
 
     void see(uint32_t light) {
         if (light < kLights)

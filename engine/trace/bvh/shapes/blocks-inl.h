@@ -11,7 +11,7 @@
 
 #include "accel/bvh/tree.h"
 #include "simd/lanes-inl.h"
-#include "simd/fused_vectors-inl.h"
+#include "simd/vectors-inl.h"
 #include "trace/shapes/volume.h"
 
 #include <algorithm>
