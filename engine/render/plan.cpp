@@ -78,6 +78,7 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
       shader(make_shader(snapshot_, camera, frame_, lights)),
       block_light(shader, snapshot_.environment, frame_.approximations.light_tolerance,
                   glm::length(pinhole.right), kUnseen / frame_.exposure) {
+    if (frame.wants_planes()) add(fetch_planes);
     add(trace_primary_rays);
     if (frame.wants_planes()) add(write_planes);
     if (!frame.pixels) return;

@@ -17,8 +17,6 @@
 #endif
 #if HWY_TARGETS & HWY_AVX3
 #define PEREGRINE_TABLE_AVX3(table) &N_AVX3::table
-#elif HWY_TARGETS & HWY_AVX2 // with PEREGRINE_ONE_TARGET: as other machines do it
-#define PEREGRINE_TABLE_AVX3(table) &N_AVX2::table
 #else
 #define PEREGRINE_TABLE_AVX3(table) nullptr
 #endif

@@ -89,6 +89,15 @@ enum class Coherence : uint32_t {
     incoherent = 3,
 };
 
+// A square of an image's pixels. The ray of pixel (x, y) has the direction
+//     (corner + right * (x + 0.5)) + down * (y + 0.5)
+// in float, each operation rounded, no t_min and no t_max.
+struct ImageTile {
+    static constexpr uint32_t kSide = 32;
+    math::Vec3 corner, right, down;
+    uint32_t x, y; // of its first pixel
+};
+
 // Rays as separate arrays, `count` long. Arrays are 64-byte aligned and padded to a multiple of 16.
 struct RayStream {
     const float* origin[3];
@@ -97,6 +106,9 @@ struct RayStream {
     const float* t_max;
     uint32_t count;
     Coherence coherence = Coherence::automatic;
+    // If there, these are the rays of a whole tile from a common origin, along Morton's curve (x
+    // first).
+    const ImageTile* tile = nullptr;
 };
 
 inline math::Ray ray_at(const RayStream& rays, size_t i) {

@@ -24,12 +24,12 @@ struct Judge {
     V8 x[3], y[3], z[3];
     Vd z_double[3];
 
-    HWY_INLINE HWY_ATTR Judge(const Facets& facets, uint32_t lane) {
+    HWY_INLINE HWY_ATTR Judge(const float (&vertex)[3][3][4], uint32_t lane) {
         for (int i = 0; i < 3; ++i) {
-            x[i] = hn::Set(k8, facets.vertex[i][0][lane]);
-            y[i] = hn::Set(k8, facets.vertex[i][1][lane]);
-            z[i] = hn::Set(k8, facets.vertex[i][2][lane]);
-            z_double[i] = hn::Set(kD, double(facets.vertex[i][2][lane]));
+            x[i] = hn::Set(k8, vertex[i][0][lane]);
+            y[i] = hn::Set(k8, vertex[i][1][lane]);
+            z[i] = hn::Set(k8, vertex[i][2][lane]);
+            z_double[i] = hn::Set(kD, double(vertex[i][2][lane]));
         }
     }
 };

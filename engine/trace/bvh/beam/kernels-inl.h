@@ -31,7 +31,7 @@ template <bool Inside, class Kernel>
 HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, const Facets& facets,
                                      const Block& block, uint32_t lane, uint32_t group,
                                      uint32_t candidates, Kernel& kernel) {
-    const Judge facet(facets, lane);
+    const Judge facet(facets.vertex, lane);
     uint32_t alone = candidates & beam.foreign[group];
     candidates &= ~alone;
     bool changed = false;

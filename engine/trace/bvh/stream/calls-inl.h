@@ -42,6 +42,14 @@ struct PencilCalls {
 };
 extern const PencilCalls kPencils;
 
+// A stream that says its tile.
+struct TileCalls {
+    // False: these rays had better go as beams, and nothing is known of them.
+    bool (*closest)(const Target& target, const RayStream& rays, const Filter& filter,
+                    const HitStream& hits);
+};
+extern const TileCalls kTiles;
+
 // All rays of a stream.
 extern const StreamKernels kWaveStreams;
 

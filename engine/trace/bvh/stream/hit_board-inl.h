@@ -39,6 +39,7 @@ public:
     }
 
     float t(uint32_t at) const { return hits_.t[at]; }
+    const float* all_t() const { return hits_.t; }
     HWY_INLINE HWY_ATTR V8 best(uint32_t at) const { return hn::LoadU(k8, hits_.t + at); }
 
     // Of the eight rays from `at` on those that the hits come first for.

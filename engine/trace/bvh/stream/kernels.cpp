@@ -40,6 +40,7 @@ HWY_ATTR void closest_hits(const Target& target, const RayStream& rays, const Fi
         for (uint32_t i = 0; i < rays.count; ++i) hits.store(i, miss(0));
         return;
     }
+    if (rays.tile && kTiles.closest(target, rays, filter, hits)) return;
     Splitter(
         target, rays,
         [&](Beam& beam) HWY_ATTR {
