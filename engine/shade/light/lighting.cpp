@@ -16,17 +16,21 @@ constexpr uint32_t bit(PointState state) {
 }
 
 // Puts what neighbours know over what is remembered; returns which states occur then.
-uint32_t overlay(const BatchMarks& marks, uint32_t light, uint32_t count, uint32_t* states) {
-    uint32_t occurs = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        if (const LightMarks* known = marks.known[i]) {
-            if (known->misses(light)) states[i] = uint32_t(PointState::hidden);
-            if (known->sees(light)) states[i] = uint32_t(PointState::seen);
+uint32_t overlay(const BatchMarks& marks, uint32_t slot, uint32_t count, uint32_t* states) {
+    if (slot < LightMarks::kLights) {
+        const uint32_t shift = slot % 32;
+        const uint32_t* const lit = marks.known_lit[slot / 32];
+        const uint32_t* const dark = marks.known_dark[slot / 32];
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t seen = 0u - (lit[i] >> shift & 1), hidden = 0u - (dark[i] >> shift & 1);
+            states[i] = ((states[i] & ~seen) | (uint32_t(PointState::seen) & seen)) & ~hidden;
         }
-        occurs |= 1u << states[i];
     }
-    return occurs;
+    uint32_t occurs[4] = {};
+    for (uint32_t i = 0; i < count; ++i) occurs[states[i]] = 1;
+    return occurs[0] | occurs[1] << 1 | occurs[2] << 2 | occurs[3] << 3;
 }
+static_assert(uint32_t(PointState::hidden) == 0);
 
 } // namespace
 
@@ -70,17 +74,18 @@ Lighting::Known Lighting::find_known(const Task& task) const {
 // Notes who sees the light, once it was weighed and its rays were traced.
 void Lighting::mark(const Task& task, const Known& known, uint32_t ray_count) const {
     const ShadowMemory& shadow = task.scratch.shadow;
-    LightMarks* const found = task.marks->found;
+    BatchMarks& marks = *task.marks;
+    for (uint32_t k = 0; k < ray_count; ++k) marks.traced[shadow.index[k]] = true;
+    if (!marks.finds) return;
     for (uint32_t i = 0; known.recalled.states && i < task.hits.count; ++i) {
         if (shadow.states[i] == uint32_t(PointState::hidden))
-            found[i].miss(task.slot);
+            marks.found[i].miss(task.slot);
         else if (shadow.states[i] != uint32_t(PointState::mixed)
                  && task.scratch.weights.diffuse[i] > 0)
-            found[i].see(task.slot);
+            marks.found[i].see(task.slot);
     }
     for (uint32_t k = 0; k < ray_count; ++k) {
-        LightMarks& point = found[shadow.index[k]];
-        point.traced = true;
+        LightMarks& point = marks.found[shadow.index[k]];
         if (shadow.occluded[k])
             point.miss(task.slot);
         else if (task.scratch.weights.diffuse[shadow.index[k]] > 0)

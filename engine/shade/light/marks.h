@@ -15,7 +15,6 @@ struct LightMarks {
     uint64_t lit[kLights / 64]{};  // seen, where they reach the point at all
     uint64_t dark[kLights / 64]{}; // something is in between
     uint64_t later = 0;            // of the others that are seen
-    bool traced = false;           // a ray was traced to find that out
 
     void see(uint32_t light) {
         if (light < kLights)
@@ -25,10 +24,6 @@ struct LightMarks {
     }
     void miss(uint32_t light) {
         if (light < kLights) dark[light / 64] |= uint64_t(1) << light % 64;
-    }
-    bool sees(uint32_t light) const { return light < kLights && lit[light / 64] >> light % 64 & 1; }
-    bool misses(uint32_t light) const {
-        return light < kLights && dark[light / 64] >> light % 64 & 1;
     }
 
     void join(const LightMarks& other) {
@@ -78,9 +73,28 @@ private:
 // Beside the points of a batch.
 struct BatchMarks {
     LightSlots* slots; // of its tile
-    LightMarks found[kBatch];
-    const LightMarks* known[kBatch]; // what neighbours say; null: nothing
+
+    // What neighbours know, 32 slots to a word: lights that are seen, and that are not.
+    static constexpr uint32_t kWords = LightMarks::kLights / 32;
+    uint32_t known_lit[kWords][kBatch];
+    uint32_t known_dark[kWords][kBatch];
     bool any_known;
+
+    bool finds; // whether `found` is wanted
+    LightMarks found[kBatch];
+    bool traced[kBatch]; // whether any ray was
+
+    void know(uint32_t point, const LightMarks& marks) {
+        for (uint32_t word = 0; word < kWords; ++word) {
+            known_lit[word][point] = uint32_t(marks.lit[word / 2] >> word % 2 * 32);
+            known_dark[word][point] = uint32_t(marks.dark[word / 2] >> word % 2 * 32);
+        }
+        any_known = true;
+    }
+    void know_nothing(uint32_t point) {
+        for (uint32_t word = 0; word < kWords; ++word)
+            known_lit[word][point] = known_dark[word][point] = 0;
+    }
 };
 
 } // namespace peregrine::shade
