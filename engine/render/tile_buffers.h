@@ -23,6 +23,8 @@ struct alignas(64) TileBuffers {
     alignas(64) uint32_t back_face[kTilePadded];
     alignas(64) uint32_t steps[kTilePadded];
 
+    float footprint; // see RayHits
+
     TileColors colors; // radiance, then display values
     shade::Scratch scratch;
 
@@ -49,7 +51,9 @@ private:
                 v + first,
                 triangle + first,
                 back_face + first,
-                std::min(tile.count - first, shade::kBatch)};
+                t + first,
+                std::min(tile.count - first, shade::kBatch),
+                footprint};
     }
 };
 

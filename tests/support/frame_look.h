@@ -32,8 +32,8 @@ inline Look look_of(const std::string& name) {
 
 // The one place that knows by which options looks differ: those of a frame, and where it is told
 // how many answers for whole patches a commit has tried to prove.
-inline void set_options(Look, rt_frame_desc&) {
-    // No frame approximates yet: Look::exact would have every option at exact here.
+inline void set_options(Look look, rt_frame_desc& frame) {
+    if (look == Look::exact) frame.texture_filter = RT_TEXTURE_FINEST;
 }
 inline uint64_t count_proofs(const rt_commit_report& report) {
     return report.proof_count;

@@ -7,7 +7,7 @@
 #endif
 
 #include "shade/surface/runs-inl.h"
-#include "shade/surface/texels-inl.h"
+#include "shade/surface/sample-inl.h"
 #include "shade/surface/triangle_shading.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,7 +18,7 @@ HWY_INLINE void find_colors(const TriangleShading& triangle, uint32_t features, 
     const scene::Material& material = *triangle.material;
     const math::Vec3 base(material.base_color);
     if (triangle.base_color.texture)
-        sample_texture(triangle.base_color, hits.u, hits.v, run.begin, run.end,
+        sample_texture(triangle, triangle.base_color, hits, run,
                        [&](uint32_t i, const V3& texel) HWY_ATTR {
                            const V3 tint = splat(base);
                            store({hn::Mul(texel.x, tint.x), hn::Mul(texel.y, tint.y),
@@ -31,7 +31,7 @@ HWY_INLINE void find_colors(const TriangleShading& triangle, uint32_t features, 
         fill(material.specular * triangle.highlight_gain, run, out.specular);
     if (!(features & scene::kEmissive)) return;
     if (triangle.emissive.texture)
-        sample_texture(triangle.emissive, hits.u, hits.v, run.begin, run.end,
+        sample_texture(triangle, triangle.emissive, hits, run,
                        [&](uint32_t i, const V3& texel) HWY_ATTR {
                            const V3 tint = splat(material.emissive);
                            store({hn::Mul(texel.x, tint.x), hn::Mul(texel.y, tint.y),

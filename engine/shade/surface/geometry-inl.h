@@ -7,7 +7,7 @@
 #endif
 
 #include "shade/surface/runs-inl.h"
-#include "shade/surface/texels-inl.h"
+#include "shade/surface/sample-inl.h"
 #include "shade/surface/triangle_shading.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -40,7 +40,7 @@ HWY_INLINE void map_normals(const TriangleShading& triangle, const RayHits& hits
     const Vf handedness = splat(triangle.handedness);
     const Vf bump = splat(triangle.material->normal_scale);
     const Vf one = splat(1.0f), two = splat(2.0f);
-    sample_texture(triangle.normal_map, hits.u, hits.v, run.begin, run.end,
+    sample_texture(triangle, triangle.normal_map, hits, run,
                    [&](uint32_t i, const V3& texel) HWY_ATTR {
                        const Weights w = weights(hits.u, hits.v, i);
                        const V3 n = normalize(load(out.normal, i), geometric);
