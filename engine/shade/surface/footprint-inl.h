@@ -6,7 +6,6 @@
 #define PEREGRINE_SHADE_FOOTPRINT_INL_H
 #endif
 
-#include "scene/texture.h"
 #include "shade/surface/ray_hits.h"
 #include "shade/surface/triangle_shading.h"
 #include "simd/vectors-inl.h"
@@ -63,9 +62,10 @@ HWY_INLINE Ellipse footprint(const BarycentricGradients& gradients, const math::
             hn::Add(hn::Mul(square, splat(gradients.vv)), hn::Mul(v, v))};
 }
 
-// The ellipse in texels, of a texture whose coordinates change by `side1` and `side2` along the
-// triangle's sides.
-HWY_INLINE Ellipse on_texture(const Ellipse& e, const math::Vec2& side1, const math::Vec2& side2) {
+// The ellipse in texture coordinates, which change by `side1` and `side2` along the triangle's
+// sides.
+HWY_INLINE Ellipse in_coordinates(const Ellipse& e, const math::Vec2& side1,
+                                  const math::Vec2& side2) {
     const auto product = [&](float a1, float a2, float b1, float b2) HWY_ATTR {
         return hn::Add(hn::Add(hn::Mul(e.xx, splat(a1 * b1)), hn::Mul(e.yy, splat(a2 * b2))),
                        hn::Mul(e.xy, splat(a1 * b2 + a2 * b1)));

@@ -1,4 +1,4 @@
-// Textures over the rays of a run. Included once for each instruction set.
+// Textures under the rays of a span. Included once for each instruction set.
 #if defined(PEREGRINE_SHADE_SAMPLE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PEREGRINE_SHADE_SAMPLE_INL_H
 #undef PEREGRINE_SHADE_SAMPLE_INL_H
@@ -15,20 +15,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
-// A texture on the triangle that all rays of a run hit.
+// A texture under the rays of a span.
 struct SampledTexture {
     const scene::Texture& texture;
-    const TextureOnTriangle& placed;
-    const RayHits& hits;
-    Run run;
+    const Surface::Place& at;
+    Run span;
 
-    HWY_INLINE void coordinates(uint32_t i, Vf& u, Vf& v) const {
-        const Weights w = weights(hits.u, hits.v, i);
-        u = blend(w, placed.uv[0].x, placed.uv[1].x, placed.uv[2].x);
-        v = blend(w, placed.uv[0].y, placed.uv[1].y, placed.uv[2].y);
+    HWY_INLINE void find(uint32_t i, TexelAddresses& out) const {
+        find_texels(texture, finest_level(texture), hn::LoadU(kF, at.u + i),
+                    hn::LoadU(kF, at.v + i), out);
     }
 
-    HWY_INLINE uint32_t count(uint32_t i) const { return std::min(run.end - i, kLanes); }
+    HWY_INLINE uint32_t count(uint32_t i) const { return std::min(span.end - i, kLanes); }
 
     HWY_INLINE void fetch(const TexelAddresses& addresses, uint32_t i, float* rgba) const {
         if (texture.storage == scene::Texture::Storage::unorm16)
@@ -48,64 +46,57 @@ HWY_INLINE void hand_on(const float* rgba, Vf scale_by, uint32_t i, Use&& use) {
 // Texels seldom are in the cache: each vector's are asked for while the previous one is filtered.
 template <class Use>
 HWY_INLINE void sample_finest(const SampledTexture& sampled, Use&& use) {
-    const scene::Texture& texture = sampled.texture;
-    const Run run = sampled.run;
-    const Vf scale_by = splat(scene::texel_scale(texture));
+    const Run span = sampled.span;
+    const Vf scale_by = splat(scene::texel_scale(sampled.texture));
     TexelAddresses addresses[2];
-    HWY_ALIGN float rgba[4 * HWY_LANES(float)];
-    for (uint32_t k = 0; k < 4; ++k) hn::Store(hn::Zero(kF), kF, rgba + k * kLanes);
+    HWY_ALIGN float rgba[4 * HWY_LANES(float)] = {};
     const auto address = [&](uint32_t i, TexelAddresses& out) HWY_ATTR {
-        Vf u, v;
-        sampled.coordinates(i, u, v);
-        find_texels(texture, finest_level(texture), u, v, out);
-        prefetch_texels(texture, out);
+        sampled.find(i, out);
+        prefetch_texels(sampled.texture, out);
     };
-    address(run.begin, addresses[0]);
+    address(span.begin, addresses[0]);
     uint32_t current = 0;
-    for (uint32_t i = run.begin; i < run.end; i += kLanes, current ^= 1) {
-        if (i + kLanes < run.end) address(i + kLanes, addresses[current ^ 1]);
+    for (uint32_t i = span.begin; i < span.end; i += kLanes, current ^= 1) {
+        if (i + kLanes < span.end) address(i + kLanes, addresses[current ^ 1]);
         sampled.fetch(addresses[current], i, rgba);
         hand_on(rgba, scale_by, i, use);
     }
 }
 
 template <class Use>
-HWY_INLINE void sample_by_footprint(const TriangleShading& triangle, const SampledTexture& sampled,
-                                    Use&& use) {
+HWY_INLINE void sample_by_footprint(const SampledTexture& sampled, Use&& use) {
     const scene::Texture& texture = sampled.texture;
-    const math::Vec2* const uv = sampled.placed.uv;
-    const math::Vec2 size(float(texture.width), float(texture.height));
-    const math::Vec2 side1 = (uv[1] - uv[0]) * size, side2 = (uv[2] - uv[0]) * size;
-    const BarycentricGradients gradients(triangle);
+    const auto width = float(texture.width), height = float(texture.height);
+    const Vf uu = splat(width * width), uv = splat(width * height), vv = splat(height * height);
     const Vf scale_by = splat(scene::texel_scale(texture));
     TexelAddresses addresses{};
     HWY_ALIGN float rgba[4 * HWY_LANES(float)] = {};
-    for (uint32_t i = sampled.run.begin; i < sampled.run.end; i += kLanes) {
-        Vf u, v;
-        sampled.coordinates(i, u, v);
-        const Ellipse covered =
-            on_texture(footprint(gradients, triangle.geometric, sampled.hits, i), side1, side2);
+    for (uint32_t i = sampled.span.begin; i < sampled.span.end; i += kLanes) {
+        const Ellipse covered{hn::Mul(hn::LoadU(kF, sampled.at.uu + i), uu),
+                              hn::Mul(hn::LoadU(kF, sampled.at.uv + i), uv),
+                              hn::Mul(hn::LoadU(kF, sampled.at.vv + i), vv)};
         const uint32_t count = sampled.count(i);
         if (all_are_small(covered, hn::FirstN(kF, count))) {
-            find_texels(texture, finest_level(texture), u, v, addresses);
+            sampled.find(i, addresses);
             sampled.fetch(addresses, i, rgba);
         } else {
             const LevelChoice choice = choose_level(covered, float(texture.level_count - 1));
-            sample_levels(texture, choice, u, v, count, rgba);
+            sample_levels(texture, choice, hn::LoadU(kF, sampled.at.u + i),
+                          hn::LoadU(kF, sampled.at.v + i), count, rgba);
         }
         hand_on(rgba, scale_by, i, use);
     }
 }
 
-// Calls use(i, colour) for each vector i of the run's rays.
+// Calls use(i, colour) for each vector i of the span's rays.
 template <class Use>
-HWY_INLINE void sample_texture(const TriangleShading& triangle, const TextureOnTriangle& placed,
-                               const RayHits& hits, Run run, Use&& use) {
-    const SampledTexture sampled{*placed.texture, placed, hits, run};
-    if (hits.footprint > 0 && placed.texture->level_count > 1)
-        sample_by_footprint(triangle, sampled, use);
+HWY_INLINE void sample_texture(const MaterialLook::Sampled& sampled, const Surface& surface,
+                               bool by_footprint, Run span, Use&& use) {
+    const SampledTexture texture{*sampled.texture, surface.places[sampled.place], span};
+    if (by_footprint && sampled.texture->level_count > 1)
+        sample_by_footprint(texture, use);
     else
-        sample_finest(sampled, use);
+        sample_finest(texture, use);
 }
 
 } // namespace peregrine::shade::HWY_NAMESPACE
