@@ -63,6 +63,29 @@ HWY_INLINE void finish(uint32_t features, const RayHits& hits, Surface& out) {
                         hn::GetLane(hn::MaxOfLanes(kF, upper.z))};
 }
 
+// Rays along Morton's curve come back to triangles that they left a few runs ago.
+class RecentTriangles {
+public:
+    HWY_INLINE const TriangleShading& find(const scene::Snapshot& snapshot, uint32_t features,
+                                           const SurfaceSpace& space, uint32_t triangle,
+                                           bool back_face) {
+        const uint32_t place = triangle % kCount;
+        const uint64_t name = uint64_t(triangle) << 1 | uint64_t(back_face);
+        if (names_[place] != name) {
+            gather(snapshot, features, triangle, back_face, space, triangles_[place]);
+            names_[place] = name;
+        }
+        return triangles_[place];
+    }
+
+private:
+    static constexpr uint32_t kCount = 8;
+    static constexpr uint64_t kNone = ~uint64_t(0);
+
+    uint64_t names_[kCount] = {kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
+    TriangleShading triangles_[kCount];
+};
+
 // What follows from the material alone, for neighbouring rays that see one.
 template <SurfacePart Part>
 HWY_INLINE void finish_span(const MaterialLook& look, uint32_t features, const RayHits& hits,
@@ -81,7 +104,7 @@ HWY_INLINE void finish_span(const MaterialLook& look, uint32_t features, const R
 template <SurfacePart Part>
 HWY_ATTR void find_surfaces(const scene::Snapshot& snapshot, uint32_t features,
                             const SurfaceSpace& space, const RayHits& hits, Surface& out) {
-    TriangleShading triangle;
+    RecentTriangles recent;
     MaterialLook look; // of the span that is not finished, if it has a material
     uint32_t first = 0;
     const auto finish_until = [&](uint32_t end) HWY_ATTR {
@@ -100,7 +123,8 @@ HWY_ATTR void find_surfaces(const scene::Snapshot& snapshot, uint32_t features,
             continue;
         }
         const bool back_face = hits.back_face[run.begin] != 0;
-        gather(snapshot, features, hits.triangle[run.begin], back_face, space, triangle);
+        const TriangleShading& triangle =
+            recent.find(snapshot, features, space, hits.triangle[run.begin], back_face);
         if (triangle.look.material != look.material) {
             finish_until(run.begin);
             look = triangle.look;
