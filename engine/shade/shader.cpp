@@ -21,9 +21,12 @@ Shader::Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
       program_(program_for(features)), lighting_(snapshot, lights, space_, program_, shadows) {}
 
 void Shader::find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const {
-    const uint32_t features =
-        part == SurfacePart::smooth ? features_ & ~uint32_t(scene::kNormalMaps) : features_;
-    kernels_->find_surfaces[uint32_t(part)](*snapshot_, features, space_, hits, scratch.surface);
+    uint32_t unasked = 0; // textures that this part does not sample
+    if (part != SurfacePart::all && part != SurfacePart::geometry) unasked |= scene::kNormalMaps;
+    if (part != SurfacePart::all && part != SurfacePart::colors)
+        unasked |= scene::kTextures | scene::kEmissive;
+    kernels_->find_surfaces[uint32_t(part)](*snapshot_, features_ & ~unasked, space_, hits,
+                                            scratch.surface);
 }
 
 void Shader::find_radiance(const RayHits& hits, float* const radiance[3],

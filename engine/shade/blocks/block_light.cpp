@@ -193,6 +193,7 @@ RayHits BlockLight::list_batch(const TileHits& hits, uint32_t count, TileLight& 
         for (int k = 0; k < 3; ++k) out.direction[k][i] = hits.direction[k][ray];
         out.u[i] = hits.u[ray];
         out.v[i] = hits.v[ray];
+        out.t[i] = hits.t[ray];
         out.triangle[i] = hits.triangle[ray];
         out.back_face[i] = hits.back_face[ray];
         if (out.found[ray])
@@ -207,7 +208,9 @@ RayHits BlockLight::list_batch(const TileHits& hits, uint32_t count, TileLight& 
             out.v,
             out.triangle,
             out.back_face,
-            count};
+            out.t,
+            count,
+            hits.footprint};
 }
 
 void BlockLight::find_batch(const TileHits& hits, SurfacePart part, uint32_t count, TileLight& out,

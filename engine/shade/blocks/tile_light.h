@@ -21,6 +21,7 @@ struct TileHits {
     const uint32_t* triangle;
     const uint32_t* back_face;
     uint32_t count;
+    float footprint; // see RayHits
 };
 
 // One thread's working memory for the light of a tile, and the result, ray by ray.
@@ -63,6 +64,7 @@ struct alignas(64) TileLight {
     Surface::Lanes direction[3];
     Surface::Lanes u;
     Surface::Lanes v;
+    Surface::Lanes t;
     uint32_t triangle[kPadded];
     uint32_t back_face[kPadded];
     BatchMarks batch;

@@ -39,6 +39,16 @@ struct alignas(64) Surface {
     Lanes specular[3]; // with kSpecular
     Lanes emissive[3]; // with kEmissive
 
+    // On the way there. Of look.places: texture coordinates, and what a ray's pixel covers in them,
+    // as the matrix whose eigenvalues are the squares of an ellipse's axes.
+    struct Place {
+        Lanes u, v;
+        Lanes uu, uv, vv; // if RayHits has a footprint
+    };
+    Place places[3];
+    Lanes tangent[3]; // where there is a normal map: the interpolated one, and the sign of ...
+    Lanes side;       // ... the bitangent
+
     uint32_t run_count;
     TriangleRun runs[kBatch];
 };
