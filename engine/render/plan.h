@@ -26,9 +26,9 @@ struct Plan {
     trace::Filter filter; // of primary rays
     shade::Shader shader;
 
-    // All must outlive the plan; `lights` is filled with those of the snapshot.
+    // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
     Plan(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
-         base::Vector<shade::PreparedLight>& lights);
+         base::Vector<shade::PreparedLight>& moved_lights);
 
     std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 

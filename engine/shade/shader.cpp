@@ -11,20 +11,15 @@ float reach_between(const math::Vec3& point, const math::Box& box) {
     return std::max({most.x, most.y, most.z});
 }
 
-float largest_radius(std::span<const PreparedLight> lights) {
-    float radius = 0;
-    for (const PreparedLight& light : lights)
-        if (light.from_light) radius = std::max(radius, light.radius);
-    return radius;
-}
-
 } // namespace
 
 Shader::Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
-               std::span<const PreparedLight> lights, const math::Vec3d& origin)
+               std::span<const PreparedLight> lights, const math::Vec3d& origin, float unseen)
     : snapshot_(&snapshot), kernels_(&kernels(snapshot.isa())), lights_(lights),
-      space_(snapshot.world, origin, largest_radius(lights)), shadows_(snapshot, space_),
-      features_(features), program_(program_for(features)), traces_shadows_(shadows) {}
+      choice_(*snapshot.lights, lights, origin, unseen),
+      space_(snapshot.world, origin, lights.empty() ? 0 : snapshot.lights->largest_radius),
+      shadows_(snapshot, space_), features_(features), program_(program_for(features)),
+      traces_shadows_(shadows) {}
 
 void Shader::find_surfaces(const RayHits& hits, Scratch& scratch) const {
     const FindSurfaces find = kernels_->find_surfaces[uint32_t(SurfacePart::all)];
@@ -35,8 +30,8 @@ void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scrat
     find_surfaces(hits, scratch);
     scratch.light.clear(program_);
     if (!scratch.surface.bounds.empty())
-        for (const PreparedLight& light : lights_)
-            if (reaches(light, scratch.surface.bounds)) illuminate(light, hits, scratch);
+        for (const uint32_t i : choice_.reaching(scratch.surface.bounds, scratch.lists))
+            illuminate(lights_[i], hits, scratch);
     const bool emissive = features_ & scene::kEmissive;
     kernels_->find_radiance[emissive][uint32_t(program_)](scratch.surface, scratch.light, hits,
                                                           snapshot_->environment, radiance);
@@ -55,7 +50,7 @@ void Shader::illuminate(const PreparedLight& light, const RayHits& hits, Scratch
     ShadowMemory& shadow = scratch.shadow;
     Recalled recalled;
     bool some_are_lit = false;
-    if (traces && light.visibility) {
+    if (traces && light.visibility && proofs_hold()) {
         const uint32_t occurs = kernels_->recall(
             *light.visibility, scratch.surface, snapshot_->world.first_moving, hits, shadow.states);
         if (occurs == 1u << uint32_t(State::hidden)) return;

@@ -2,6 +2,7 @@
 
 #include "scene/snapshot.h"
 #include "shade/kernels.h"
+#include "shade/light/choice.h"
 #include "shade/light/shadows.h"
 #include "shade/scratch.h"
 
@@ -14,12 +15,14 @@ namespace peregrine::shade {
 class Shader {
 public:
     // `features` (scene::Feature bits): what to look at; may be fewer than the snapshot has.
-    // `lights` must outlive the result; they and surfaces are relative to `origin`.
+    // `lights`, `origin`, `unseen`: as of LightChoice; surfaces are relative to `origin`, too.
     Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
-           std::span<const PreparedLight> lights, const math::Vec3d& origin);
+           std::span<const PreparedLight> lights, const math::Vec3d& origin, float unseen);
 
     // Fills scratch.surface.
     void find_surfaces(const RayHits& hits, Scratch& scratch) const;
+
+    const LightChoice& light_choice() const { return choice_; }
 
     // Whether what was proved of lights is true of this frame's surfaces
     // (trace/visibility/shaft.h).
@@ -36,6 +39,7 @@ private:
     const scene::Snapshot* snapshot_;
     const Kernels* kernels_;
     std::span<const PreparedLight> lights_;
+    LightChoice choice_;
     SurfaceSpace space_;
     Shadows shadows_;
     uint32_t features_;
