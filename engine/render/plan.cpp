@@ -5,6 +5,7 @@
 #include "render/post/tones.h"
 #include "render/primary_rays.h"
 #include "render/shading.h"
+#include "render/unseen_light.h"
 #include "render/views.h"
 #include "scene/alpha_test.h"
 
@@ -53,7 +54,7 @@ shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera,
     std::span<const shade::PreparedLight> lights;
     if (frame.pixels) lights = lights_from(*snapshot.lights, origin, room);
     return shade::Shader(snapshot, features_seen(snapshot, frame), frame.shadows, lights, origin,
-                         0);
+                         unseen_light(snapshot, frame));
 }
 
 Stage stage_of(View view) {

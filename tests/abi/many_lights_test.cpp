@@ -68,5 +68,27 @@ TEST(ManyLights, TheSameBitsWithEveryInstructionSet) {
     }
 }
 
+// A frame that is told to leave out what nobody sees, of lamps too dim to be seen one by one.
+TEST(ManyLights, ManyDimOnesAreSeen) {
+    const LampWall wall(10);
+    for (int i = 0; i < 10'000; ++i) add(wall.scene(), lamp_at(2, 1e-3f, 8));
+    ASSERT_OK(rt_commit_scene(wall.scene(), nullptr, nullptr));
+    rt_camera camera = rt_default_camera();
+    camera.position[2] = 4;
+    std::vector<uint8_t> pictures[2];
+    for (const bool exact : {false, true}) {
+        std::vector<uint8_t>& pixels = pictures[exact];
+        pixels.assign(4 * 16 * 16, 0);
+        rt_frame_desc frame = rt_default_frame_desc();
+        frame.pixels = pixels.data();
+        frame.width = frame.height = 16;
+        frame.least_light = exact ? 0 : 0.5f;
+        ASSERT_OK(rt_render_frame(wall.scene(), &camera, &frame, nullptr));
+    }
+    EXPECT_GT(pictures[1][4 * 120], 100);
+    for (size_t i = 0; i < pictures[0].size(); ++i)
+        EXPECT_LE(std::abs(pictures[0][i] - pictures[1][i]), 1);
+}
+
 } // namespace
 } // namespace peregrine::test

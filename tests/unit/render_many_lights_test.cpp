@@ -184,5 +184,34 @@ TEST(ManyLights, LightsThatComeAndGo) {
     }
 }
 
+// As many steps as a display shows of a value.
+double code(double x) {
+    x = std::clamp(x, 0.0, 1.0);
+    return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+}
+
+TEST(LeastLight, LeavesOutNoMoreThanItsSteps) {
+    for (const float ambient : {0.0f, 0.1f})
+        for (const bool shiny : {false, true}) {
+            LightRooms rooms(700, {}, shiny);
+            rooms.world.scene.environment.ambient = Vec3(ambient);
+            rooms.world.scene.commit({});
+            const Picture exact = rooms.show();
+            uint64_t last = exact.stats.rays_shadow;
+            for (const float steps : {1e-6f, 0.5f, 2.0f, 10.0f, 1000.0f}) {
+                const Picture picture = rooms.show(steps);
+                for (size_t i = 0; i < exact.pixels.size(); ++i) {
+                    const double before = code(double(exact.pixels[i]));
+                    const double after = code(double(picture.pixels[i]));
+                    ASSERT_LE(after, before + 1e-4);
+                    ASSERT_LE(before - after, double(steps) * 1.001 + 1e-4) << ambient << shiny;
+                }
+                EXPECT_LE(picture.stats.rays_shadow, last);
+                last = picture.stats.rays_shadow;
+            }
+            EXPECT_LT(last, exact.stats.rays_shadow);
+        }
+}
+
 } // namespace
 } // namespace peregrine::render
