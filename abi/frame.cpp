@@ -20,7 +20,7 @@ static_assert(RT_FORMAT_RGBA8_SRGB == int(render::PixelFormat::rgba8_srgb));
 static_assert(RT_FORMAT_BGRA8_SRGB == int(render::PixelFormat::bgra8_srgb));
 static_assert(RT_FORMAT_RGBA16F == int(render::PixelFormat::rgba16f));
 static_assert(RT_FORMAT_RGBA32F == int(render::PixelFormat::rgba32f));
-static_assert(RT_VIEW_STEPS == int(render::View::steps));
+static_assert(RT_VIEW_LIGHT == int(render::View::light));
 static_assert(RT_TONE_NONE == int(render::ToneMapping::none));
 
 math::Vec3d to_unit(const float (&v)[3]) {
@@ -88,7 +88,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     check_format(in);
     require_extent(in.width, kLargestFrame, "rt_frame_desc.width");
     require_extent(in.height, kLargestFrame, "rt_frame_desc.height");
-    require_enum(in.view, RT_VIEW_STEPS, "rt_frame_desc.view");
+    require_enum(in.view, RT_VIEW_LIGHT, "rt_frame_desc.view");
     require_positive(in.exposure, "rt_frame_desc.exposure");
     require_positive(in.depth_range, "rt_frame_desc.depth_range");
     require_positive(in.steps_range, "rt_frame_desc.steps_range");

@@ -22,9 +22,10 @@ void check(const rt_scene_desc& desc) {
                    desc.worker_count, kMaxWorkers);
     require_enum(desc.isa, RT_ISA_NEON, "rt_scene_desc.isa");
     require_zero(desc.reserved, "rt_scene_desc.reserved");
-    if (!base::machine_has(base::Isa(desc.isa)))
+    if (!base::is_available(base::Isa(desc.isa)))
         base::fail(base::Code::unsupported,
-                   "rt_scene_desc.isa is %d, an instruction set that this machine lacks", desc.isa);
+                   "rt_scene_desc.isa is %d, an instruction set that this machine or build lacks",
+                   desc.isa);
 }
 
 scene::SceneOptions to_options(const rt_scene_desc& desc) {

@@ -9,6 +9,7 @@ namespace host {
 namespace {
 
 constexpr uint32_t probe_width = 64, probe_height = 36;
+constexpr double patience = 0.1; // seconds between two measurements
 constexpr float darkest = 1e-3f; // so that a few black pixels do not rule the mean
 constexpr float lowest = 0.5f, highest = 8.0f;
 
@@ -37,14 +38,20 @@ float Exposure::wanted(const Viewpoint& viewpoint) const {
 }
 
 float Exposure::settle(const Viewpoint& viewpoint) {
-    current_ = session_.options.exposure ? *session_.options.exposure : wanted(viewpoint);
-    return current_;
+    goal_ = session_.options.exposure ? *session_.options.exposure : wanted(viewpoint);
+    age_ = 0.0;
+    return current_ = goal_;
 }
 
 float Exposure::drift(const Viewpoint& viewpoint, double seconds) {
     if (session_.options.exposure || current_ == 0.0f) return settle(viewpoint);
+    age_ += seconds;
+    if (age_ >= patience) {
+        goal_ = wanted(viewpoint);
+        age_ = 0.0;
+    }
     const auto part = static_cast<float>(1.0 - std::exp(-2.0 * seconds));
-    current_ *= std::pow(wanted(viewpoint) / current_, part);
+    current_ *= std::pow(goal_ / current_, part);
     return current_;
 }
 

@@ -23,7 +23,7 @@ public:
     // Adapted to this view at once.
     float settle(const Viewpoint& viewpoint);
 
-    // Drifts to what this view asks for, over about a second.
+    // Drifts to what this view, or that of a moment ago, asks for, over about a second.
     float drift(const Viewpoint& viewpoint, double seconds);
 
 private:
@@ -32,6 +32,8 @@ private:
     const Session& session_;
     Sight sight_;
     float current_ = 0.0f; // 0: not yet settled
+    float goal_ = 0.0f;    // what the view asked for when it was measured
+    double age_ = 0.0;     // seconds since
 };
 
 } // namespace host

@@ -23,7 +23,8 @@ namespace {
 const std::map<std::string, rt_view> views = {{"shaded", RT_VIEW_SHADED},
                                               {"normals", RT_VIEW_NORMALS},
                                               {"depth", RT_VIEW_DEPTH},
-                                              {"steps", RT_VIEW_STEPS}};
+                                              {"steps", RT_VIEW_STEPS},
+                                              {"light", RT_VIEW_LIGHT}};
 const std::map<std::string, rt_isa> isas = {{"auto", RT_ISA_BEST},
                                             {"scalar", RT_ISA_SCALAR},
                                             {"sse4", RT_ISA_SSE4},
@@ -145,7 +146,7 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
                  "no window: write --out, or else a fly-through of all cameras to out/");
     app.add_option("--threads", options.threads, "threads, 1 to 256 [all cores]")
         ->check(CLI::Range(1u, 256u));
-    app.add_option("--view", texts.view, "shaded, normals, depth or steps [shaded]");
+    app.add_option("--view", texts.view, "shaded, normals, depth, steps or light [shaded]");
     app.add_option("--stats", options.stats, "JSON file to write measurements to [none]");
     app.add_option("--isa", texts.isa,
                    "auto, scalar, sse4, avx2 or avx512 [$PEREGRINE_ISA, else auto]");

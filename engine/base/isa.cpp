@@ -3,6 +3,16 @@
 #include <initializer_list>
 
 namespace peregrine::base {
+namespace {
+
+// CMake's PEREGRINE_TARGETS may leave out all sets but one.
+constexpr bool is_built(Isa isa) {
+#if defined(PEREGRINE_ONLY_ISA)
+    return isa == Isa::PEREGRINE_ONLY_ISA || isa == Isa::best || isa == Isa::scalar;
+#else
+    return isa <= Isa::neon;
+#endif
+}
 
 bool machine_has(Isa isa) {
     switch (isa) {
@@ -32,9 +42,15 @@ bool machine_has(Isa isa) {
     }
 }
 
+} // namespace
+
+bool is_available(Isa isa) {
+    return is_built(isa) && machine_has(isa);
+}
+
 Isa best_isa() {
     for (const Isa isa : {Isa::avx512, Isa::avx2, Isa::sse4, Isa::neon})
-        if (machine_has(isa)) return isa;
+        if (is_available(isa)) return isa;
     return Isa::scalar;
 }
 

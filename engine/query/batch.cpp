@@ -152,16 +152,11 @@ public:
             store_arrays(hits.arrays, first, count);
         if (surfaces) [[unlikely]]
             for (uint32_t i = 0; i < count; ++i)
-                surfaces.store(first + i, surface_at(snapshot_, hit(i), surfaces.fields));
+                surfaces.store(first + i,
+                               surface_at(snapshot_, names_.hit(stream_, i), surfaces.fields));
     }
 
 private:
-    Hit hit(uint32_t i) const {
-        const HitIds ids = names_.of(triangle_.value[i]);
-        return {stream_.t[i],        stream_.u[i], stream_.v[i], ids.triangle, ids.mesh, 0,
-                stream_.back_face[i]};
-    }
-
     void store_arrays(const HitArrays& arrays, uint64_t first, uint32_t count) const {
         const auto copy = [&](const auto* from, auto* array) {
             if (array && from != array + first)

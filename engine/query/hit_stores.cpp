@@ -1,5 +1,5 @@
 // Hits from streams to the host's records, compiled once for each instruction set.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/hit_stores.cpp"
@@ -84,9 +84,7 @@ void names(const HitNames& names, const uint32_t* triangles, uint32_t count, uin
 #if HWY_TARGET == HWY_SCALAR
 void records(const HitNames& names, const trace::HitStream& hits, uint32_t count, std::byte* place,
              uint32_t stride) {
-    for (uint32_t i = 0; i < count; ++i, place += stride)
-        store_hit(hits.t[i], hits.u[i], hits.v[i], names.of(hits.triangle[i]), hits.back_face[i],
-                  place);
+    for (uint32_t i = 0; i < count; ++i, place += stride) store_hit(names.hit(hits, i), place);
 }
 #else
 // A group, four records at a time: the first 16 bytes by a 4x4 transposition, the others are two
@@ -134,9 +132,7 @@ void records(const HitNames& names, const trace::HitStream& hits, uint32_t count
         namer.name_group(hits.triangle + i, primitives, meshes, 0);
         store_group(hits, primitives, meshes, i, place, stride);
     }
-    for (; i < count; ++i, place += stride)
-        store_hit(hits.t[i], hits.u[i], hits.v[i], names.of(hits.triangle[i]), hits.back_face[i],
-                  place);
+    for (; i < count; ++i, place += stride) store_hit(names.hit(hits, i), place);
 }
 #endif
 
@@ -146,7 +142,7 @@ constexpr HitStores kStores = {names, records};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::query {
 

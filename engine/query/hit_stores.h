@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/isa.h"
-#include "query/store_hit.h"
+#include "query/hit_names.h"
 #include "trace/kernels.h"
 
 #include <cstddef>

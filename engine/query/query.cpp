@@ -2,9 +2,9 @@
 
 #include "query/batch.h"
 #include "query/chosen.h"
+#include "query/hit_names.h"
 #include "query/marks.h"
 #include "query/search.h"
-#include "query/store_hit.h"
 #include "query/valid_ray.h"
 #include "trace/world/single.h"
 
@@ -39,8 +39,7 @@ void closest_hits(const scene::Snapshot& snapshot, const Rays& rays, const Reque
         [&](uint64_t i, const math::Ray& ray) {
             const trace::Hit found =
                 trace::closest(snapshot.world, ray, rays.position(i), chosen.filter());
-            const HitIds ids = names.of(found.triangle);
-            const Hit hit = {found.t, found.u, found.v, ids.triangle, ids.mesh, 0, found.back_face};
+            const Hit hit = names.hit(found);
             hits.store(i, hit);
             if (surfaces) surfaces.store(i, surface_at(snapshot, hit, surfaces.fields));
         },

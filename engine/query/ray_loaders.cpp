@@ -1,5 +1,5 @@
 // Rays from records to separate arrays, compiled once for each instruction set.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/ray_loaders.cpp"
@@ -181,7 +181,7 @@ constexpr RayLoaders kLoaders = {split, check_records, check_arrays};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::query {
 

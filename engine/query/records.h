@@ -141,6 +141,23 @@ struct Hit {
 };
 static_assert(sizeof(Hit) == 32);
 
+// Eight bytes at a time to where the host wants them: a record put together elsewhere and copied
+// would wait for its own stores.
+inline void store_hit(const Hit& hit, std::byte* place) {
+    const auto store = [place](size_t offset, auto low, auto high) {
+        static_assert(sizeof low == 4 && sizeof high == 4);
+        const uint64_t both =
+            std::bit_cast<uint32_t>(low) | uint64_t(std::bit_cast<uint32_t>(high)) << 32;
+        std::memcpy(place + offset, &both, sizeof both);
+    };
+    static_assert(offsetof(Hit, v) == 8 && offsetof(Hit, mesh) == 16
+                  && offsetof(Hit, instance) == 24);
+    store(0, hit.t, hit.u);
+    store(8, hit.v, hit.triangle);
+    store(16, hit.mesh.index, hit.mesh.generation);
+    store(24, hit.instance, hit.back_face);
+}
+
 // Hits as separate arrays; null: not wanted.
 struct HitArrays {
     float* t;
@@ -171,7 +188,7 @@ struct Hits {
 
     void store(uint64_t i, const Hit& hit) const {
         if (records)
-            std::memcpy(records + i * stride, &hit, sizeof hit);
+            store_hit(hit, records + i * stride);
         else
             arrays.store(i, hit);
     }

@@ -2,9 +2,9 @@
 
 #include "query/check_rays.h"
 #include "query/chosen.h"
+#include "query/hit_names.h"
 #include "query/marks.h"
 #include "query/spread.h"
-#include "query/store_hit.h"
 #include "query/total_counters.h"
 #include "query/valid_ray.h"
 #include "trace/world/search.h"
@@ -17,19 +17,11 @@ namespace {
 constexpr uint32_t kAll = std::numeric_limits<uint32_t>::max(); // crossings of a ray
 constexpr Hit kMiss = {kInfinity, 0, 0, geometry::kNoTriangle, {}, 0, 0};
 
-base::Handle mesh_of(const scene::Snapshot& snapshot, const trace::WorldHit& hit) {
-    return {hit.mesh, snapshot.generations[hit.mesh]};
-}
-
-Hit to_host(const scene::Snapshot& snapshot, const trace::WorldHit& hit) {
-    return {hit.t, hit.u, hit.v, hit.primitive, mesh_of(snapshot, hit), 0, hit.back_face};
-}
-
 // The host's word in the world's terms.
 class HostJudge {
 public:
     HostJudge(const scene::Snapshot& snapshot, const Accept& accept)
-        : snapshot_(snapshot), accept_(accept) {
+        : names_(snapshot), accept_(accept) {
         if (accept) judge_ = {accepts, this};
     }
     HostJudge(const HostJudge&) = delete;
@@ -41,10 +33,10 @@ public:
 private:
     static bool accepts(void* context, const trace::WorldHit& hit) {
         const auto& self = *static_cast<const HostJudge*>(context);
-        return self.accept_.ask(self.accept_.user, self.ray_, to_host(self.snapshot_, hit));
+        return self.accept_.ask(self.accept_.user, self.ray_, self.names_.hit(hit));
     }
 
-    const scene::Snapshot& snapshot_;
+    const HitNames names_;
     const Accept& accept_;
     trace::Judge judge_;
     uint64_t ray_ = 0;
@@ -80,12 +72,12 @@ void search_each(const scene::Snapshot& snapshot, const Rays& rays, const Reques
 
 void search_closest(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                     const Hits& hits, const Surfaces& surfaces) {
+    const HitNames names(snapshot);
     search_each(
         snapshot, rays, request,
         [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
             trace::WorldHit found;
-            const Hit hit =
-                search.closest(ray, rays.position(i), found) ? to_host(snapshot, found) : kMiss;
+            const Hit hit = search.closest(ray, rays.position(i), found) ? names.hit(found) : kMiss;
             hits.store(i, hit);
             if (surfaces) surfaces.store(i, surface_at(snapshot, hit, surfaces.fields));
         },
@@ -108,17 +100,17 @@ namespace {
 template <bool Counted>
 void list_hits(const scene::Snapshot& snapshot, const Rays& rays, const Request& request,
                const HitLists& lists) {
+    const HitNames names(snapshot);
     search_each(
         snapshot, rays, request,
         [&](trace::Search& search, uint64_t i, const math::Ray& ray) {
             const auto store = [&](uint32_t k, const trace::WorldHit& found) {
                 if (Counted && k >= lists.most) return;
                 const uint64_t place = i * lists.most + k;
-                store_hit(found.t, found.u, found.v, {found.primitive, mesh_of(snapshot, found)},
-                          found.back_face, lists.hits + place * lists.stride);
+                store_hit(names.hit(found), lists.hits + place * lists.stride);
                 if (lists.surfaces)
-                    lists.surfaces.store(place, surface_at(snapshot, to_host(snapshot, found),
-                                                           lists.surfaces.fields));
+                    lists.surfaces.store(
+                        place, surface_at(snapshot, names.hit(found), lists.surfaces.fields));
             };
             const uint32_t count =
                 search.crossings(ray, rays.position(i), Counted ? kAll : lists.most, store);

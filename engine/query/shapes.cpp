@@ -1,9 +1,9 @@
 #include "query/shapes.h"
 
 #include "query/chosen.h"
+#include "query/hit_names.h"
 #include "query/marks.h"
 #include "query/spread.h"
-#include "query/store_hit.h"
 #include "query/total_counters.h"
 #include "query/valid_ray.h"
 #include "query/valid_shape.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "query/store_hit.h"
+#include "query/hit_names.h"
 #include "query/valid_ray.h"
 #include "scene/snapshot.h"
 #include "trace/world/single.h"
@@ -18,7 +18,7 @@ template <class... Position>
                                                const math::Ray& ray, const Position&... position) {
     check_ray(0, ray);
     const trace::Hit hit = trace::closest(snapshot.world, ray, position..., filter);
-    store_hit(hit.t, hit.u, hit.v, HitNames(snapshot).of(hit.triangle), hit.back_face, place);
+    store_hit(HitNames(snapshot).hit(hit), place);
 }
 
 template <class... Position>

@@ -34,9 +34,11 @@ void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const F
     if (!stats) return;
     stats->threads = scheduler.concurrency();
     stats->rays_primary = uint64_t(frame.width) * frame.height;
-    stats->rays_shadow = 0;
-    for (const TileBuffers& buffers : workers)
+    stats->rays_shadow = stats->light_points = 0;
+    for (const TileBuffers& buffers : workers) {
         stats->rays_shadow += buffers.scratch.shadow.ray_count;
+        stats->light_points += buffers.light.point_count;
+    }
     stats->isa = snapshot.isa();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - begin;

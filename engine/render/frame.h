@@ -17,7 +17,7 @@ enum class PixelFormat : uint32_t {
     rgba16f = 3,
     rgba32f = 4,
 };
-enum class View : uint32_t { shaded = 0, normals = 1, depth = 2, steps = 3 };
+enum class View : uint32_t { shaded = 0, normals = 1, depth = 2, steps = 3, light = 4 };
 enum class ToneMapping : uint32_t { filmic = 0, clamp = 1, none = 2 };
 enum class TextureFilter : uint32_t { finest = 0, mipmaps = 1 };
 

@@ -18,7 +18,8 @@ namespace {
 // The features that a frame looks at.
 uint32_t features_seen(const scene::Snapshot& snapshot, const Frame& frame) {
     if (!frame.pixels) return 0;
-    return frame.view == View::shaded ? snapshot.features : snapshot.features & scene::kNormalMaps;
+    const bool has_light = frame.view == View::shaded || frame.view == View::light;
+    return has_light ? snapshot.features : snapshot.features & scene::kNormalMaps;
 }
 
 trace::Filter primary_filter(const scene::Snapshot& snapshot) {
@@ -28,7 +29,8 @@ trace::Filter primary_filter(const scene::Snapshot& snapshot) {
     return filter;
 }
 
-constexpr double kFar = 1024; // metres
+constexpr double kFar = 1024;      // metres
+constexpr float kUnseen = 0.0007f; // radiance: half a step of the filmic curve in the dark
 
 // What surfaces and lights are relative to while they are shaded: the world's origin, or the eye if
 // it sees meshes that keep their precision far away from there.
@@ -57,16 +59,18 @@ shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera,
                          unseen_light(snapshot, frame));
 }
 
-Stage stage_of(View view) {
-    switch (view) {
+Stage stage_of(const Frame& frame) {
+    switch (frame.view) {
     case View::normals:
         return show_normals;
     case View::depth:
         return show_depth;
     case View::steps:
         return show_steps;
+    case View::light:
+        return show_light;
     default:
-        return shade_tile;
+        return frame.approximations.light_block > 1 ? shade_blocks : shade_tile;
     }
 }
 
@@ -76,11 +80,14 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
            base::Vector<shade::PreparedLight>& moved_lights)
     : snapshot(snapshot_), frame(frame_), pinhole(camera, frame_.width, frame_.height),
       eye(camera.position), filter(primary_filter(snapshot_)),
-      shader(make_shader(snapshot_, camera, frame_, moved_lights)) {
+      shader(make_shader(snapshot_, camera, frame_, moved_lights)),
+      block_light(shader, snapshot_.environment, frame_.approximations.light_tolerance,
+                  glm::length(pinhole.right), kUnseen / frame_.exposure) {
+    if (frame.wants_planes()) add(fetch_planes);
     add(trace_primary_rays);
     if (frame.wants_planes()) add(write_planes);
     if (!frame.pixels) return;
-    add(stage_of(frame.view));
+    add(stage_of(frame));
     add(post::tones_of(frame));
     add(post::encoder_of(frame));
 }

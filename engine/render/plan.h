@@ -2,6 +2,7 @@
 
 #include "render/camera.h"
 #include "render/frame.h"
+#include "shade/blocks/block_light.h"
 #include "shade/shader.h"
 #include "trace/filter.h"
 
@@ -25,6 +26,7 @@ struct Plan {
     math::Vec3d eye;      // where its rays begin
     trace::Filter filter; // of primary rays
     shade::Shader shader;
+    shade::BlockLight block_light; // of frames with light in blocks
 
     // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
     Plan(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,

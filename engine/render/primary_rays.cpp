@@ -8,6 +8,7 @@
 
 namespace peregrine::render {
 
+static_assert(kTileSize == trace::ImageTile::kSide);
 static_assert(kTileRays <= trace::kMaxStream);
 
 namespace {
@@ -62,10 +63,17 @@ void trace_primary_rays(const Plan& plan, TileBuffers& buffers) {
     make_rays(plan.pinhole, buffers);
     const auto& [ox, oy, oz] = buffers.origin;
     const auto& [dx, dy, dz] = buffers.direction;
-    const trace::RayStream rays = {{ox, oy, oz},       {dx, dy, dz},
-                                   buffers.t_min,      buffers.t_max,
-                                   buffers.tile.count, trace::Coherence::common_origin};
     const bool count_steps = plan.frame.view == View::steps;
+    const Pinhole& pinhole = plan.pinhole;
+    const trace::ImageTile image = {pinhole.corner, pinhole.right, pinhole.down, buffers.tile.x0,
+                                    buffers.tile.y0};
+    const trace::RayStream rays = {{ox, oy, oz},
+                                   {dx, dy, dz},
+                                   buffers.t_min,
+                                   buffers.t_max,
+                                   buffers.tile.count,
+                                   trace::Coherence::common_origin,
+                                   buffers.tile.is_whole() && !count_steps ? &image : nullptr};
     // All begin at the eye, and these are zeros.
     const trace::Positions positions = {{buffers.t_min, buffers.t_min, buffers.t_min}, plan.eye};
     trace::closest(plan.snapshot.world, rays, positions, plan.filter,

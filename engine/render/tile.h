@@ -27,6 +27,8 @@ struct Tile {
         x0 = index % columns * kTileSize;
         y0 = index / columns * kTileSize;
         const uint32_t w = std::min(width - x0, kTileSize), h = std::min(height - y0, kTileSize);
+        width_ = w;
+        height_ = h;
         if (is_whole() && w * h == kTileRays) return; // still in order
         count = 0;
         for (uint32_t i = 0; i < kTileRays; ++i) {
@@ -38,6 +40,8 @@ struct Tile {
         }
     }
 
+    uint32_t width() const { return width_; } // pixels
+    uint32_t height() const { return height_; }
     bool is_whole() const { return count == kTileRays; }
 
     // The ray of a pixel of a whole tile.
@@ -50,6 +54,8 @@ struct Tile {
     }
 
 private:
+    uint32_t width_, height_;
+
     static constexpr uint32_t apart(uint32_t i) {
         return (i & 1) | (i & 2) << 1 | (i & 4) << 2 | (i & 8) << 3 | (i & 16) << 4;
     }

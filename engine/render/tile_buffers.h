@@ -1,6 +1,8 @@
 #pragma once
 
+#include "base/slot_map.h"
 #include "render/tile.h"
+#include "shade/blocks/tile_light.h"
 #include "shade/scratch.h"
 #include "shade/surface/ray_hits.h"
 
@@ -22,9 +24,12 @@ struct alignas(64) TileBuffers {
     alignas(64) uint32_t triangle[kTilePadded];
     alignas(64) uint32_t back_face[kTilePadded];
     alignas(64) uint32_t steps[kTilePadded];
+    alignas(64) uint32_t triangle_id[kTileRays]; // as the host knows them
+    alignas(64) base::Handle mesh_id[kTileRays];
 
     TileColors colors; // radiance, then display values
     shade::Scratch scratch;
+    shade::TileLight light;
 
     // Calls function(hits, first) for batches of the tile's rays, `first` being a batch's first.
     template <class Function>

@@ -1,5 +1,7 @@
 #include "render/views.h"
 
+#include "render/shading.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,7 @@ namespace peregrine::render {
 
 void show_normals(const Plan& plan, TileBuffers& buffers) {
     buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
-        plan.shader.find_surfaces(hits, buffers.scratch);
+        plan.shader.find_surfaces(hits, shade::SurfacePart::geometry, buffers.scratch);
         for (uint32_t k = 0; k < 3; ++k)
             for (uint32_t i = 0; i < hits.count; ++i)
                 buffers.colors.channel[k][first + i] =
@@ -44,6 +46,17 @@ void show_steps(const Plan& plan, TileBuffers& buffers) {
     for (uint32_t i = 0; i < buffers.tile.count; ++i) {
         const math::Vec3 color = heat(float(buffers.steps[i]) / plan.frame.steps_range);
         for (int k = 0; k < 3; ++k) buffers.colors.channel[k][i] = color[k];
+    }
+}
+
+void show_light(const Plan& plan, TileBuffers& buffers) {
+    find_light(plan, buffers);
+    const shade::TileLight& light = buffers.light;
+    for (uint32_t i = 0; i < buffers.tile.count; ++i) {
+        const bool seen = buffers.triangle[i] != geometry::kNoTriangle;
+        const uint32_t how = !light.found[i] ? 2 : light.marks[i].traced ? 0 : 1;
+        for (uint32_t k = 0; k < 3; ++k)
+            buffers.colors.channel[k][i] = seen && k == how ? 1.0f : 0.0f;
     }
 }
 

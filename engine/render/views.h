@@ -19,6 +19,9 @@ void show_depth(const Plan& plan, TileBuffers& buffers);
 // that miss count too.
 void show_steps(const Plan& plan, TileBuffers& buffers);
 
+// How light was found: red by shadow rays, green without any, blue interpolated.
+void show_light(const Plan& plan, TileBuffers& buffers);
+
 math::Vec3 heat(float fraction);
 
 } // namespace peregrine::render

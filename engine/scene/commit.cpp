@@ -83,8 +83,8 @@ trace::Part Commit::part_of(const Geometry& geometry, uint64_t first) const {
     if (first + geometry.infos.size() >= geometry::kNoTriangle)
         base::fail(base::Code::limit,
                    "the triangles of all instances, counted each time, are more than 2^32");
-    const trace::Target target = geometry.target();
-    return {target, trace::select_kernels(geometry.structure, scene_.isa_, target.is_compact()),
+    return {geometry.target(),
+            trace::select_kernels(geometry.structure, scene_.isa_, geometry.is_compact()),
             uint32_t(first)};
 }
 

@@ -6,6 +6,9 @@
 #include "accel/kdtree/tree.h"
 #include "base/memory.h"
 #include "geometry/triangle.h"
+#include "trace/bih/target.h"
+#include "trace/bvh/target.h"
+#include "trace/kdtree/target.h"
 #include "trace/kernels.h"
 
 #include <cstdint>
@@ -28,18 +31,18 @@ struct Geometry {
     uint64_t degenerate_count = 0;
     uint64_t non_finite_count = 0;
 
+    bool is_compact() const { return !compact_bvh.nodes.empty(); }
+
     trace::Target target() const {
-        return {infos.data(),
-                bounds(),
-                bvh.nodes.data(),
-                bvh.blocks.data(),
-                kdtree.nodes.data(),
-                kdtree.references.data(),
-                triangles.data(),
-                bih.nodes.data(),
-                bih.references.data(),
-                compact_bvh.nodes.data(),
-                compact_bvh.leaves.data()};
+        switch (structure) {
+        case trace::Structure::kdtree:
+            return trace::kdtree::target_of(infos.data(), triangles.data(), bounds(), kdtree);
+        case trace::Structure::bih:
+            return trace::bih::target_of(infos.data(), triangles.data(), bounds(), bih);
+        default:
+            return is_compact() ? trace::bvh::target_of(infos.data(), bounds(), compact_bvh)
+                                : trace::bvh::target_of(infos.data(), bounds(), bvh);
+        }
     }
 
     const math::Box& bounds() const {

@@ -26,7 +26,7 @@ Scene::Scene(const SceneOptions& options)
       snapshots(first_generation_, &recycled),
       isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa), views_(&recycled),
       extents_(&memory), places_(&memory) {
-    if (!base::machine_has(isa_))
+    if (!base::is_available(isa_))
         base::fail(base::Code::unsupported,
                    "this machine or build lacks the instruction set %u that the scene asks for",
                    unsigned(options.isa));

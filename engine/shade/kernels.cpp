@@ -1,11 +1,12 @@
 // The shading loops, compiled once for each instruction set.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shade/kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "shade/blocks/blocks-inl.h"
 #include "shade/kernels.h"
 #include "shade/light/directional-inl.h"
 #include "shade/light/point-inl.h"
@@ -59,18 +60,20 @@ constexpr ByProgram<FindRadiance> radiance_by_program(List<Program...>) {
 
 constexpr Kernels kKernels = {
     {find_surfaces<SurfacePart::all>, find_surfaces<SurfacePart::geometry>,
-     find_surfaces<SurfacePart::colors>},
+     find_surfaces<SurfacePart::colors>, find_surfaces<SurfacePart::geometry>},
     recall,
     weigh_by_kind(LightKinds()),
     add_by_program(Programs()),
     {radiance_by_program<false>(Programs()), radiance_by_program<true>(Programs())},
+    block_is_smooth,
+    interpolate_block,
 };
 
 } // namespace peregrine::shade::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::shade {
 

@@ -16,9 +16,16 @@ namespace peregrine::shade {
 
 using scene::PreparedLight;
 
-// What is remembered of a light at the points of a batch.
+// What is known of the way from a point to a light. The first ones are trace::visibility::State.
+enum class PointState : uint32_t {
+    hidden = 0, // it is blocked
+    lit = 1,    // nothing fixed is in the way
+    mixed = 2,  // nothing: it is to be traced
+    seen = 3,   // nothing at all is in the way
+};
+
 struct Recalled {
-    const uint32_t* states = nullptr; // visibility::State; null: nothing
+    const uint32_t* states = nullptr; // PointState of each point; null: all are mixed
     bool traces_lit = false; // something moves in between: rays are listed for lit points, too
 };
 
@@ -53,7 +60,7 @@ using FindRadiance = void (*)(const Surface& surface, const Illumination& light,
 
 // The loops over a batch, compiled for each instruction set; all of them give the same bits.
 struct Kernels {
-    std::array<FindSurfaces, 3> find_surfaces; // by SurfacePart
+    std::array<FindSurfaces, kSurfaceParts> find_surfaces; // by SurfacePart
 
     // What is remembered of the light at each point, as visibility::State; returns which of them
     // occur, as bits.
@@ -64,6 +71,10 @@ struct Kernels {
 
     ByProgram<AddLight> add_light;
     std::array<ByProgram<FindRadiance>, 2> find_radiance; // whether emissive
+
+    // Of light in blocks (blocks/blocks-inl.h).
+    bool (*block_is_smooth)(const float* t, uint32_t side, float pixel);
+    void (*interpolate_block)(float* values, uint32_t side);
 };
 
 // For this instruction set, or the plain one if it was not compiled. Does not ask the machine.

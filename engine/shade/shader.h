@@ -2,8 +2,7 @@
 
 #include "scene/snapshot.h"
 #include "shade/kernels.h"
-#include "shade/light/choice.h"
-#include "shade/light/shadows.h"
+#include "shade/light/lighting.h"
 #include "shade/scratch.h"
 
 #include <cstdint>
@@ -20,31 +19,30 @@ public:
            std::span<const PreparedLight> lights, const math::Vec3d& origin, float unseen);
 
     // Fills scratch.surface.
-    void find_surfaces(const RayHits& hits, Scratch& scratch) const;
+    void find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const;
 
-    const LightChoice& light_choice() const { return choice_; }
-
-    // Whether what was proved of lights is true of this frame's surfaces
-    // (trace/visibility/shaft.h).
-    bool proofs_hold() const {
-        return !space_.is_elsewhere && space_.fixed_reach <= 2 * space_.fixed_size;
+    // Fills scratch.light for scratch.surface; see Lighting::gather.
+    void gather_light(const RayHits& hits, Scratch& scratch, BatchMarks* marks) const {
+        lighting_.gather(hits, scratch, marks);
     }
 
-    // Radiance of at most kBatch rays.
+    // From scratch.surface and scratch.light.
+    void find_radiance(const RayHits& hits, float* const radiance[3], const Scratch& scratch) const;
+
+    // All of it: radiance of at most kBatch rays.
     void shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const;
 
-private:
-    void illuminate(const PreparedLight& light, const RayHits& hits, Scratch& scratch) const;
+    const LightChoice& light_choice() const { return lighting_.choice(); }
+    const Kernels& kernels() const { return *kernels_; }
+    Program program() const { return program_; }
 
+private:
     const scene::Snapshot* snapshot_;
     const Kernels* kernels_;
-    std::span<const PreparedLight> lights_;
-    LightChoice choice_;
     SurfaceSpace space_;
-    Shadows shadows_;
     uint32_t features_;
     Program program_;
-    bool traces_shadows_;
+    Lighting lighting_;
 };
 
 } // namespace peregrine::shade

@@ -6,7 +6,7 @@
 #define PEREGRINE_SIMD_COMPRESS_INL_H
 #endif
 
-#include "simd/vectors-inl.h"
+#include "simd/wide-inl.h"
 
 #include <array>
 

@@ -9,12 +9,14 @@
 
 #include <hwy/highway.h>
 
-#include "trace/lanes-inl.h"
+#include "simd/lanes-inl.h"
 
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
 
 // Step 3: a coordinate of a corner, relative to the origin, sheared along the ray.
 template <class V>

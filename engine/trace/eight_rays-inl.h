@@ -9,15 +9,17 @@
 #include <hwy/highway.h>
 
 #include "geometry/triangle.h"
+#include "simd/lanes-inl.h"
 #include "trace/canonical-inl.h"
 #include "trace/filter.h"
 #include "trace/kernels.h"
-#include "trace/lanes-inl.h"
 
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
 
 constexpr float kLargestFloat = std::numeric_limits<float>::max();
 

@@ -27,8 +27,8 @@ const Kernels* select_kernels(Structure structure, base::Isa isa, bool compact) 
                            : structure == Structure::kdtree ? kdtree
                                                             : bih;
     const auto index = uint32_t(isa);
-    return index < std::size(tables.by_isa) && base::machine_has(isa) ? &tables.by_isa[index]
-                                                                      : nullptr;
+    return index < std::size(tables.by_isa) && base::is_available(isa) ? &tables.by_isa[index]
+                                                                       : nullptr;
 }
 
 } // namespace peregrine::trace

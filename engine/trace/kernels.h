@@ -1,9 +1,5 @@
 #pragma once
 
-#include "accel/bih/tree.h"
-#include "accel/bvh/compact_tree.h"
-#include "accel/bvh/tree.h"
-#include "accel/kdtree/tree.h"
 #include "base/isa.h"
 #include "geometry/triangle.h"
 #include "math/box.h"
@@ -11,8 +7,11 @@
 #include "trace/filter.h"
 #include "trace/visitor.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <new>
+#include <type_traits>
 
 namespace peregrine::trace {
 
@@ -20,26 +19,32 @@ struct ShapeKernels; // trace/shapes/shapes.h
 
 enum class Structure : uint32_t { bvh = 0, kdtree = 1, bih = 2 };
 
-// What rays are traced against. Only the arrays of its structure are there.
+// What rays are traced against: triangles under a structure. What the structure looks like is
+// between those who make targets and its own kernels (trace/bvh/target.h, ...).
 struct Target {
-    const geometry::TriangleInfo* infos;
+    Target() = default;
+
+    // `View`: pointers to the structure's arrays.
+    template <class View>
+    Target(const geometry::TriangleInfo* triangle_infos, const math::Box& triangle_bounds,
+           const View& view)
+        : infos(triangle_infos), bounds(triangle_bounds) {
+        static_assert(std::is_trivially_copyable_v<View> && sizeof(View) <= sizeof view_
+                      && alignof(View) <= alignof(void*));
+        ::new (static_cast<void*>(view_)) View(view);
+    }
+
+    // Of the same type.
+    template <class View>
+    const View& view() const {
+        return *std::launder(reinterpret_cast<const View*>(view_));
+    }
+
+    const geometry::TriangleInfo* infos = nullptr;
     math::Box bounds; // of all triangles
 
-    const accel::bvh::Node* bvh_nodes;
-    const accel::bvh::Block* bvh_blocks;
-
-    const accel::kdtree::Node* nodes;
-    const uint32_t* references;
-    const geometry::Triangle* triangles; // of the kd-tree and the BIH
-
-    const accel::bih::Node* bih_nodes = nullptr;
-    const uint32_t* bih_references = nullptr;
-
-    // Instead of bvh_nodes and bvh_blocks, if there.
-    const accel::bvh::CompactNode* bvh_compact_nodes = nullptr;
-    const accel::bvh::LeafUnit* bvh_compact_leaves = nullptr;
-
-    bool is_compact() const { return bvh_compact_nodes != nullptr; }
+private:
+    alignas(void*) std::byte view_[4 * sizeof(void*)] = {};
 };
 
 // The closest hit of one ray.
@@ -84,6 +89,15 @@ enum class Coherence : uint32_t {
     incoherent = 3,
 };
 
+// A square of an image's pixels. The ray of pixel (x, y) has the direction
+//     (corner + right * (x + 0.5)) + down * (y + 0.5)
+// in float, each operation rounded, no t_min and no t_max.
+struct ImageTile {
+    static constexpr uint32_t kSide = 32;
+    math::Vec3 corner, right, down;
+    uint32_t x, y; // of its first pixel
+};
+
 // Rays as separate arrays, `count` long. Arrays are 64-byte aligned and padded to a multiple of 16.
 struct RayStream {
     const float* origin[3];
@@ -92,6 +106,9 @@ struct RayStream {
     const float* t_max;
     uint32_t count;
     Coherence coherence = Coherence::automatic;
+    // If there, these are the rays of a whole tile from a common origin, along Morton's curve (x
+    // first).
+    const ImageTile* tile = nullptr;
 };
 
 inline math::Ray ray_at(const RayStream& rays, size_t i) {
@@ -134,8 +151,8 @@ struct Kernels {
     const ShapeKernels* plain_shapes = nullptr; // these heed Watch::counters
 };
 
-// The table for an instruction set; null if this machine lacks it. `best` never fails. `compact`
-// says of a BVH which one the targets have.
+// The table for an instruction set; null if this machine or build lacks it. `best` never fails.
+// `compact` says of a BVH which one the targets have.
 const Kernels* select_kernels(Structure structure, base::Isa isa, bool compact = false);
 
 } // namespace peregrine::trace

@@ -86,7 +86,7 @@ TEST_F(BadFrame, Fields) {
     refuse_frame([](D& d) { d.format = RT_FORMAT_RGBA8_LINEAR; }, kArgument, "format");
     refuse_frame([](D& d) { d.format = 5; }, kArgument, "rt_frame_desc.format is 5");
     refuse_frame([](D& d) { d.format = -1; }, kArgument, "rt_frame_desc.format is -1");
-    refuse_frame([](D& d) { d.view = 4; }, kArgument, "rt_frame_desc.view is 4");
+    refuse_frame([](D& d) { d.view = 5; }, kArgument, "rt_frame_desc.view is 5");
     refuse_frame([](D& d) { d.view = -1; }, kArgument, "rt_frame_desc.view is -1");
     refuse_frame([](D& d) { d.tone_mapping = 3; }, kArgument, "tone_mapping is 3");
     refuse_frame([](D& d) { d.tone_mapping = RT_TONE_NONE; }, kArgument, "RT_TONE_NONE");
@@ -149,7 +149,7 @@ TEST_F(BadFrame, StridesAndOddAddressesAreFine) {
                    {RT_FORMAT_RGBA16F, 8},
                    {RT_FORMAT_RGBA32F, 16}};
     for (const auto& [format, bytes] : formats)
-        for (rt_view view = RT_VIEW_SHADED; view <= RT_VIEW_STEPS; ++view) {
+        for (rt_view view = RT_VIEW_SHADED; view <= RT_VIEW_LIGHT; ++view) {
             const uint32_t row = kWidth * bytes, stride = row + 3;
             Bytes tight(row * kHeight), loose(1 + stride * (kHeight - 1) + row, 0x5a);
             frame_.format = format;

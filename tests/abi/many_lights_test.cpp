@@ -82,6 +82,7 @@ TEST(ManyLights, ManyDimOnesAreSeen) {
         rt_frame_desc frame = rt_default_frame_desc();
         frame.pixels = pixels.data();
         frame.width = frame.height = 16;
+        frame.light_block = 0;
         frame.least_light = exact ? 0 : 0.5f;
         ASSERT_OK(rt_render_frame(wall.scene(), &camera, &frame, nullptr));
     }

@@ -32,7 +32,7 @@ struct Built {
 double trace_camera_rays(const scene::Geometry& geometry, const std::vector<math::Ray>& rays) {
     const trace::Target target = geometry.target();
     const trace::Kernels& kernels =
-        *trace::select_kernels(geometry.structure, base::Isa::best, target.is_compact());
+        *trace::select_kernels(geometry.structure, base::Isa::best, geometry.is_compact());
     const double start = thread_seconds();
     for (const math::Ray& ray : rays) kernels.closest(target, ray, {});
     return 1e9 * (thread_seconds() - start) / double(rays.size());

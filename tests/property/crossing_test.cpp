@@ -61,7 +61,7 @@ struct Answers {
 template <class Make, class Work>
 void for_each_snapshot(Make&& make, Work&& work) {
     for (const base::Isa isa : kIsas) {
-        if (!base::machine_has(isa)) continue;
+        if (!base::is_available(isa)) continue;
         QueryWorld world(isa);
         make(world);
         for (const Build& build : kBuilds) {

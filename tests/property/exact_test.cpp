@@ -234,7 +234,8 @@ void compare_all(const World& world, const std::vector<RaySet>& sets,
     const std::vector<Answers> expected = ask_brute_force(world, sets, filter);
     for (const NamedStructure& structure : kStructures)
         if (is_wanted(structure) && (takes_all_rays(structure) || !filter.trivial()))
-            compare_structure(structure, world.target(structure.compact), sets, expected, filter);
+            compare_structure(structure, world.target(structure.structure, structure.compact), sets,
+                              expected, filter);
 }
 
 // The BVH's other shape and build qualities.
@@ -242,7 +243,8 @@ void compare_qualities(World& world, const std::vector<RaySet>& sets) {
     if (!is_wanted(kStructures[0])) return;
     const std::vector<Answers> expected = ask_brute_force(world, sets, {});
     if (!takes_all_rays(kStructures[1]))
-        compare_structure(kStructures[1], world.target(true), sets, expected, {});
+        compare_structure(kStructures[1], world.target(trace::Structure::bvh, true), sets, expected,
+                          {});
     base::Scheduler scheduler(2, {}, &world.memory);
     for (const auto& [quality, name] : {std::pair(accel::bvh::Quality::fast, "fast bvh"),
                                         std::pair(accel::bvh::Quality::best, "best bvh")}) {
@@ -376,12 +378,12 @@ TEST(Streams, OfAnyLength) {
                     trace::select_kernels(structure.structure, isa.isa, structure.compact);
                 if (!kernels) continue;
                 const NamedHint& hint = kHints[random() % std::size(kHints)];
-                expect_same(
-                    expected,
-                    ask_streams(world.target(structure.compact), rays, {}, *kernels, hint.hint),
-                    rays,
-                    std::to_string(first) + " + " + std::to_string(count) + ", " + structure.name
-                        + ", " + isa.name + ", " + hint.name);
+                expect_same(expected,
+                            ask_streams(world.target(structure.structure, structure.compact), rays,
+                                        {}, *kernels, hint.hint),
+                            rays,
+                            std::to_string(first) + " + " + std::to_string(count) + ", "
+                                + structure.name + ", " + isa.name + ", " + hint.name);
             }
     }
 }

@@ -111,7 +111,7 @@ struct Build {
 class RequestTest : public testing::TestWithParam<std::tuple<Build, base::Isa>> {
 protected:
     void SetUp() override {
-        if (!base::machine_has(std::get<1>(GetParam())))
+        if (!base::is_available(std::get<1>(GetParam())))
             GTEST_SKIP() << "this machine lacks the instruction set";
         world_ = std::make_unique<QueryWorld>(std::get<1>(GetParam()), 4);
         QueryWorld& world = *world_;

@@ -213,7 +213,7 @@ void compare_all(const std::vector<MeshToAdd>& meshes, size_t count,
     Asked few = few_of(asked);
     std::vector<Expected> expected(choices.size());
     for (const Way& way : kWays) {
-        if (!base::machine_has(way.isa)) continue;
+        if (!base::is_available(way.isa)) continue;
         ShapeWorld world(way.isa, way.structure, way.compact);
         for (const MeshToAdd& mesh : meshes)
             world.add(mesh.triangles, mesh.kind, mesh.layer_mask, mesh.to_world);

@@ -42,7 +42,7 @@ std::vector<query::SweepHit> slide(const std::vector<SlideMesh>& meshes,
                                    const query::Selection& selection) {
     std::vector<query::SweepHit> expected(sweeps.size()), got(sweeps.size());
     for (const Way& way : kWays) {
-        if (!base::machine_has(way.isa)) continue;
+        if (!base::is_available(way.isa)) continue;
         ShapeWorld world(way.isa, way.structure, way.compact);
         for (const SlideMesh& mesh : meshes)
             world.add(mesh.triangles, mesh.kind, mesh.layer_mask, mesh.to_world);

@@ -32,8 +32,13 @@ inline Look look_of(const std::string& name) {
 
 // The one place that knows by which options looks differ: those of a frame, and where it is told
 // how many answers for whole patches a commit has tried to prove.
-inline void set_options(Look, rt_frame_desc&) {
-    // No frame approximates yet: Look::exact would have every option at exact here.
+inline void set_options(Look look, rt_frame_desc& frame) {
+    if (look != Look::exact) return;
+    frame.light_block = 1;
+    frame.texture_filter = RT_TEXTURE_FINEST;
+    frame.least_light = 0;
+    frame.edge_samples = 1;
+    frame.render_width = frame.render_height = 0;
 }
 inline uint64_t count_proofs(const rt_commit_report& report) {
     return report.proof_count;

@@ -8,6 +8,9 @@
 #include "base/scheduler.h"
 #include "geometry/triangle.h"
 #include "support/ray_sets.h"
+#include "trace/bih/target.h"
+#include "trace/bvh/target.h"
+#include "trace/kdtree/target.h"
 #include "trace/kernels.h"
 
 #include <optional>
@@ -20,16 +23,17 @@ namespace peregrine::test {
 struct World {
     explicit World(std::vector<geometry::Triangle> list, uint32_t threads = 2);
 
-    // With the full BVH or the compact one.
-    trace::Target target(bool compact = false) const {
-        trace::Target target{infos.data(),      kdtree.bounds,       bvh.nodes.data(),
-                             bvh.blocks.data(), kdtree.nodes.data(), kdtree.references.data(),
-                             triangles.data(),  bih.nodes.data(),    bih.references.data()};
-        if (compact) {
-            target.bvh_compact_nodes = compact_bvh.nodes.data();
-            target.bvh_compact_leaves = compact_bvh.leaves.data();
+    trace::Target target(trace::Structure structure = trace::Structure::bvh,
+                         bool compact = false) const {
+        switch (structure) {
+        case trace::Structure::kdtree:
+            return trace::kdtree::target_of(infos.data(), triangles.data(), kdtree.bounds, kdtree);
+        case trace::Structure::bih:
+            return trace::bih::target_of(infos.data(), triangles.data(), kdtree.bounds, bih);
+        default:
+            return compact ? trace::bvh::target_of(infos.data(), kdtree.bounds, compact_bvh)
+                           : trace::bvh::target_of(infos.data(), kdtree.bounds, bvh);
         }
-        return target;
     }
 
     base::HostMemory memory{{}};

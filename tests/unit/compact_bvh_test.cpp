@@ -2,7 +2,7 @@
 #include "accel/bvh/compact.h"
 #include "accel/bvh/quantise.h"
 #include "builder_checks.h"
-#include "trace/bvh/decode.h"
+#include "trace/bvh/tree/decode.h"
 
 #include <gtest/gtest.h>
 

@@ -134,7 +134,7 @@ TEST(RenderFrame, IsTheSameForEveryInstructionSet) {
         frame.view = view;
         const test::Picture expected = take_picture(plain, Camera{}, frame);
         for (const base::Isa isa : {base::Isa::sse4, base::Isa::avx2, base::Isa::avx512}) {
-            if (!base::machine_has(isa)) continue;
+            if (!base::is_available(isa)) continue;
             RenderScene world(1, isa);
             furnish(world);
             const test::Picture picture = take_picture(world, Camera{}, frame);

@@ -1135,7 +1135,9 @@ enum {
     RT_VIEW_NORMALS = 1, /* 0.5 n + 0.5 of the shading normal */
     RT_VIEW_DEPTH = 2,   /* near is bright; `depth_range` is black */
     RT_VIEW_STEPS =
-        3 /* tree nodes visited by the primary ray as a heat map; `steps_range` is white */
+        3, /* tree nodes visited by the primary ray as a heat map; `steps_range` is white */
+    RT_VIEW_LIGHT = 4 /* how light was found: red: by shadow rays; green: from what was proved, or
+                         what neighbours know; blue: interpolated; black: nothing is seen */
 };
 
 typedef int32_t rt_tone_mapping;
@@ -1199,6 +1201,8 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.exposure = 1.0f;
     desc.depth_range = 50.0f;
     desc.steps_range = 100.0f;
+    desc.light_block = 8;
+    desc.light_tolerance = 0.03f;
     return desc;
 }
 

@@ -8,7 +8,7 @@
 
 #include "scene/lights/prepared_light.h"
 #include "shade/surface/surface.h"
-#include "simd/vectors-inl.h"
+#include "simd/wide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {

@@ -9,7 +9,7 @@
 
 #include "shade/surface/ray_hits.h"
 #include "shade/surface/surface.h"
-#include "simd/vectors-inl.h"
+#include "simd/wide-inl.h"
 #include "trace/visibility/point_visibility.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -33,18 +33,18 @@ HWY_INLINE uint32_t pack_rays(const Surface& surface, uint32_t i, const Incidenc
     return count + uint32_t(hn::CountTrue(kF, traced));
 }
 
-HWY_INLINE Mf differs(const uint32_t* states, trace::visibility::State from) {
+HWY_INLINE Mf differs(const uint32_t* states, PointState from) {
     return hn::RebindMask(kF, hn::Ne(hn::LoadU(kU, states), hn::Set(kU, uint32_t(from))));
 }
 
 template <class Kind, scene::Falloff Law, class Program>
 HWY_ATTR uint32_t weigh_light(const Surface& surface, uint32_t count, const PreparedLight& light,
                               const Recalled& recalled, LightWeights& out, const ShadowRays& rays) {
-    using trace::visibility::State;
     uint32_t ray_count = 0;
     for (uint32_t i = 0; i < count; i += kLanes) {
         Incidence in = Kind::meet(surface, light, i);
-        if (recalled.states) in.lit = hn::And(in.lit, differs(recalled.states + i, State::hidden));
+        if (recalled.states)
+            in.lit = hn::And(in.lit, differs(recalled.states + i, PointState::hidden));
         if (hn::AllFalse(kF, in.lit)) {
             hn::StoreU(hn::Zero(kF), kF, out.diffuse + i);
             if constexpr (Program::kHasLobe) hn::StoreU(hn::Zero(kF), kF, out.lobe + i);
@@ -54,8 +54,11 @@ HWY_ATTR uint32_t weigh_light(const Surface& surface, uint32_t count, const Prep
         if constexpr (Program::kHasLobe)
             hn::StoreU(Program::weigh_lobe(surface, i, in), kF, out.lobe + i);
         Mf traced = in.lit;
-        if (recalled.states && !recalled.traces_lit)
-            traced = hn::And(traced, differs(recalled.states + i, State::lit));
+        if (recalled.states) {
+            traced = hn::And(traced, differs(recalled.states + i, PointState::seen));
+            if (!recalled.traces_lit)
+                traced = hn::And(traced, differs(recalled.states + i, PointState::lit));
+        }
         ray_count = pack_rays(surface, i, in, traced, light.from_light, rays, ray_count);
     }
     return ray_count;

@@ -9,7 +9,7 @@
 
 #include "shade/light/illumination.h"
 #include "shade/surface/surface.h"
-#include "simd/vectors-inl.h"
+#include "simd/wide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {

@@ -10,7 +10,7 @@
 #include "scene/light.h"
 #include "shade/light/illumination.h"
 #include "shade/surface/ray_hits.h"
-#include "simd/vectors-inl.h"
+#include "simd/wide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {

@@ -12,10 +12,13 @@ inline constexpr uint32_t kPadded = kBatch + 16; // vectors may write this far
 // Neighbouring rays that hit the same side of one triangle, or nothing.
 struct TriangleRun {
     uint32_t begin, end;
+    bool relief; // it has a normal map
 };
 
-// What is asked about surfaces: what light wants to know, how they look, or both.
-enum class SurfacePart : uint32_t { all = 0, geometry = 1, colors = 2 };
+// What is asked about surfaces: what light wants to know, how they look, or both. `smooth` is
+// geometry without normal maps.
+enum class SurfacePart : uint32_t { all = 0, geometry = 1, colors = 2, smooth = 3 };
+inline constexpr uint32_t kSurfaceParts = 4;
 
 // What lies at the hits of a batch of rays, as separate arrays. A ray that missed has zero normals
 // and so catches no light.

@@ -82,6 +82,7 @@ HWY_ATTR void find_surfaces(const scene::Snapshot& snapshot, uint32_t features,
         if constexpr (Part != SurfacePart::colors) {
             find_geometry(triangle, features, hits, run, out);
             if (triangle.normal_map.texture) map_normals(triangle, hits, run, back_face, out);
+            out.runs[out.run_count - 1].relief = triangle.material->normal_texture.texture;
         }
         if constexpr (Part != SurfacePart::geometry)
             find_colors(triangle, features, hits, run, out);

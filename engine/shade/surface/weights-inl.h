@@ -6,7 +6,7 @@
 #define PEREGRINE_SHADE_WEIGHTS_INL_H
 #endif
 
-#include "simd/vectors-inl.h"
+#include "simd/wide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {

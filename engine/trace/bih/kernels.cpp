@@ -9,7 +9,7 @@ namespace peregrine::trace::bih {
 namespace {
 
 struct Leaves {
-    static const uint32_t* references(const Target& target) { return target.bih_references; }
+    static const ReferenceLists& lists(const Target& target) { return tree_of(target).lists; }
     template <class Real, class Leaf>
     static uint32_t visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
         return visit_leaves(target, slabs, leaf);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/bih/tree.h"
+#include "trace/bih/target.h"
 #include "trace/kernels.h"
 #include "trace/reference_lists.h"
 #include "trace/slabs.h"
@@ -43,7 +43,7 @@ uint32_t visit_leaves(const Target& target, const Slabs<Real>& ray, Leaf&& leaf)
     if (current.empty()) return 0;
 
     for (;;) {
-        const Node& node = target.bih_nodes[index];
+        const Node& node = tree_of(target).nodes[index];
         ++visited;
         if (node.is_leaf()) {
             if (leaf(node.first_reference(), node.reference_count(), t_limit)) return visited;
@@ -85,18 +85,18 @@ struct Single {
     template <bool Filtered, class Real>
     static Hit closest(const Target& target, const math::Ray& ray, const Filter& filter,
                        Real reach) {
-        return closest_in_lists<Filtered>(target, target.bih_references, ray, filter, reach,
+        return closest_in_lists<Filtered>(target, tree_of(target).lists, ray, filter, reach,
                                           leaves);
     }
     template <bool Filtered, class Real>
     static bool occluded(const Target& target, const math::Ray& ray, const Filter& filter,
                          Real reach) {
-        return occluded_in_lists<Filtered>(target, target.bih_references, ray, filter, reach,
+        return occluded_in_lists<Filtered>(target, tree_of(target).lists, ray, filter, reach,
                                            leaves);
     }
     template <class Real>
     static void visit(const Target& target, const math::Ray& ray, Visitor& visitor, Real reach) {
-        visit_lists(target, target.bih_references, ray, visitor, reach, leaves);
+        visit_lists(target, tree_of(target).lists, ray, visitor, reach, leaves);
     }
 
 private:

@@ -1,32 +1,29 @@
 #include "trace/bvh/kernels.h"
 
-#include "trace/bvh/plain.h"
-#include "trace/bvh/plain_shapes.h"
-#include "trace/bvh/shape_kernels.h"
-#include "trace/bvh/simd_kernels.h"
+#include "trace/bvh/shapes/kernels.h"
+#include "trace/bvh/shapes/plain.h"
+#include "trace/bvh/single/kernels.h"
+#include "trace/bvh/single/plain.h"
+#include "trace/bvh/stream/kernels.h"
 #include "trace/each.h"
 #include "trace/one_ray.h"
 
 namespace peregrine::trace::bvh {
 namespace {
 
+using Rays = OneRay<Plain>;
+constexpr SingleKernels kPlainSingles = {Rays::closest, Rays::occluded, Rays::visit};
+constexpr StreamKernels kPlainStreams = {closest_each<Rays::closest>,
+                                         occluded_each<Rays::occluded>};
+
 Kernels make(base::Isa isa, bool compact) {
-    if (const Kernels* simd = simd_kernels(isa, compact)) {
-        Kernels kernels = *simd;
-        kernels.isa = isa;
-        kernels.shapes = &shape_kernels(isa);
-        kernels.plain_shapes = &kPlainShapesOfBlocks;
-        return kernels;
-    }
-    using Rays = OneRay<Plain>;
-    return {Rays::closest,
-            Rays::occluded,
-            closest_each<Rays::closest>,
-            occluded_each<Rays::occluded>,
-            Rays::visit,
-            isa,
-            &shape_kernels(isa),
-            &kPlainShapesOfBlocks};
+    const SingleKernels* compiled_singles = single_kernels(isa, compact);
+    const StreamKernels* compiled_streams = stream_kernels(isa);
+    const SingleKernels& singles = compiled_singles ? *compiled_singles : kPlainSingles;
+    const StreamKernels& streams = compiled_streams ? *compiled_streams : kPlainStreams;
+    return {singles.closest,     singles.occluded,     streams.closest,
+            streams.occluded,    singles.visit,        isa,
+            &shape_kernels(isa), &kPlainShapesOfBlocks};
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace peregrine::trace::kdtree {
 namespace {
 
 struct Leaves {
-    static const uint32_t* references(const Target& target) { return target.references; }
+    static const ReferenceLists& lists(const Target& target) { return tree_of(target).lists; }
     template <class Real, class Leaf>
     static uint32_t visit(const Target& target, const Slabs<Real>& slabs, Leaf&& leaf) {
         return visit_leaves(target, slabs, leaf);

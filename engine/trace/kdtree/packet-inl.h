@@ -17,6 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::kdtree::HWY_NAMESPACE {
 
+using namespace simd::HWY_NAMESPACE;
 using namespace trace::HWY_NAMESPACE;
 
 // The rays of a packet and what slabs() knows of them, in vectors.
@@ -143,7 +144,7 @@ HWY_ATTR uint32_t visit_leaves(const Target& target, const Packet& packet, M8 ac
     if (hn::AllFalse(k8, hn::Le(t_near, t_far))) return visited;
 
     for (;;) {
-        accel::kdtree::Node node = target.nodes[index];
+        accel::kdtree::Node node = tree_of(target).nodes[index];
         ++visited;
         while (!node.is_leaf()) {
             const uint32_t k = node.axis();
@@ -177,7 +178,7 @@ HWY_ATTR uint32_t visit_leaves(const Target& target, const Packet& packet, M8 ac
                 t_near = far_begin;
                 t_far = far_end;
             }
-            node = target.nodes[index];
+            node = tree_of(target).nodes[index];
             ++visited;
         }
         if (leaf(node.first_reference, node.reference_count(), hn::Le(t_near, t_far)))
@@ -217,8 +218,8 @@ class ClosestPacket {
 public:
     HWY_ATTR ClosestPacket(const Target& target, const Filter& filter, const RayStream& rays,
                            uint32_t first)
-        : target_(target), filter_(filter), rays_(rays), first_(first),
-          packet_(target, rays, first) {
+        : target_(target), lists_(tree_of(target).lists), filter_(filter), rays_(rays),
+          first_(first), packet_(target, rays, first) {
         t_ = packet_.t_max;
         u_ = v_ = hn::Zero(k8);
         key_ = hn::Set(k8u, geometry::kNoTriangle);
@@ -243,14 +244,14 @@ private:
         return visit_leaves(target_, packet_, lanes, t_,
                             [&](uint32_t first, uint32_t count, M8) HWY_ATTR {
                                 for (uint32_t i = first; i < first + count; ++i)
-                                    if (mailbox.is_new(target_.references[i]))
-                                        test(sheared, target_.references[i], lanes);
+                                    if (mailbox.is_new(lists_.references[i]))
+                                        test(sheared, lists_.references[i], lanes);
                                 return false;
                             });
     }
 
     HWY_ATTR void test(const ShearedPacket& sheared, uint32_t index, M8 active) {
-        const geometry::Triangle& triangle = target_.triangles[index];
+        const geometry::Triangle& triangle = lists_.triangles[index];
         EightHits hit;
         if (!intersect(sheared, triangle, active, packet_.t_min, t_, hit)) return;
         const V8u keys = keys_of(index, hit);
@@ -291,6 +292,7 @@ private:
     }
 
     const Target& target_;
+    const ReferenceLists& lists_;
     const Filter& filter_;
     const RayStream& rays_;
     size_t first_;
@@ -304,8 +306,8 @@ class OccludedPacket {
 public:
     HWY_ATTR OccludedPacket(const Target& target, const Filter& filter, const RayStream& rays,
                             uint32_t first)
-        : target_(target), filter_(filter), rays_(rays), first_(first),
-          packet_(target, rays, first) {}
+        : target_(target), lists_(tree_of(target).lists), filter_(filter), rays_(rays),
+          first_(first), packet_(target, rays, first) {}
 
     HWY_ATTR void trace(uint8_t* occluded) {
         uint64_t blocked = 0;
@@ -333,8 +335,8 @@ private:
             target_, packet_, lanes, t_limit, [&](uint32_t first, uint32_t count, M8) HWY_ATTR {
                 M8 open = hn::And(lanes, hn::Gt(t_limit, hn::Set(k8, kNever)));
                 for (uint32_t i = first; i < first + count; ++i) {
-                    if (!mailbox.is_new(target_.references[i])) continue;
-                    const auto& triangle = target_.triangles[target_.references[i]];
+                    if (!mailbox.is_new(lists_.references[i])) continue;
+                    const auto& triangle = lists_.triangles[lists_.references[i]];
                     EightHits hit;
                     if (!intersect(sheared, triangle, open, packet_.t_min, packet_.t_max, hit))
                         continue;
@@ -365,6 +367,7 @@ private:
     static constexpr float kNever = std::numeric_limits<float>::lowest();
 
     const Target& target_;
+    const ReferenceLists& lists_;
     const Filter& filter_;
     const RayStream& rays_;
     size_t first_;

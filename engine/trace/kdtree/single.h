@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/kdtree/tree.h"
+#include "trace/kdtree/target.h"
 #include "trace/kernels.h"
 #include "trace/reference_lists.h"
 #include "trace/slabs.h"
@@ -25,7 +25,7 @@ uint32_t visit_leaves(const Target& target, Slabs<Real> ray, Leaf&& leaf) {
     if (!(t_near <= t_far)) return visited;
 
     for (;;) {
-        accel::kdtree::Node node = target.nodes[index];
+        accel::kdtree::Node node = tree_of(target).nodes[index];
         ++visited;
         while (!node.is_leaf()) {
             const uint32_t k = node.axis();
@@ -44,7 +44,7 @@ uint32_t visit_leaves(const Target& target, Slabs<Real> ray, Leaf&& leaf) {
                     t_far = std::min(t_far, t_last);
                 }
             }
-            node = target.nodes[index];
+            node = tree_of(target).nodes[index];
             ++visited;
         }
         if (leaf(node.first_reference, node.reference_count(), t_limit)) return visited;
@@ -63,16 +63,18 @@ struct Single {
     template <bool Filtered, class Real>
     static Hit closest(const Target& target, const math::Ray& ray, const Filter& filter,
                        Real reach) {
-        return closest_in_lists<Filtered>(target, target.references, ray, filter, reach, leaves);
+        return closest_in_lists<Filtered>(target, tree_of(target).lists, ray, filter, reach,
+                                          leaves);
     }
     template <bool Filtered, class Real>
     static bool occluded(const Target& target, const math::Ray& ray, const Filter& filter,
                          Real reach) {
-        return occluded_in_lists<Filtered>(target, target.references, ray, filter, reach, leaves);
+        return occluded_in_lists<Filtered>(target, tree_of(target).lists, ray, filter, reach,
+                                           leaves);
     }
     template <class Real>
     static void visit(const Target& target, const math::Ray& ray, Visitor& visitor, Real reach) {
-        visit_lists(target, target.references, ray, visitor, reach, leaves);
+        visit_lists(target, tree_of(target).lists, ray, visitor, reach, leaves);
     }
 
 private:

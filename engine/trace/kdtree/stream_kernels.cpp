@@ -1,7 +1,7 @@
 // The packet kernels, compiled once for each instruction set: a packet is as many rays as a vector
 // has floats. Same operations in the same order as geometry/intersect.h and trace/kdtree/single.h,
 // so the same bits.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/kdtree/stream_kernels.cpp"
@@ -10,13 +10,13 @@
 
 #include "trace/kdtree/stream_kernels.h"
 
-#if HWY_TARGET != HWY_SCALAR // there the single-ray kernels do the work
+#if !PEREGRINE_PLAIN_TARGET // there the single-ray kernels do the work
 #include "trace/kdtree/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::kdtree::HWY_NAMESPACE {
 
-using namespace trace::HWY_NAMESPACE;
+using namespace simd::HWY_NAMESPACE;
 
 template <bool Filtered>
 HWY_ATTR void closest_stream(const Target& target, const RayStream& rays, const Filter& filter,
@@ -51,7 +51,7 @@ HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::trace::kdtree {
 

@@ -1,5 +1,5 @@
 // Compiled once for each instruction set.
-#include "base/simd_targets.h"
+#include "simd/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/world/ray_lists.cpp"
@@ -245,7 +245,7 @@ constexpr RayLists kRayLists = {look_at,    enter_all<Extent>,    enter<Extent>,
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "base/simd_select.h"
+#include "simd/select.h"
 
 namespace peregrine::trace {
 

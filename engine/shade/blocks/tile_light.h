@@ -1,0 +1,88 @@
+#pragma once
+
+#include "shade/blocks/block.h"
+#include "shade/blocks/pixel_groups.h"
+#include "shade/light/marks.h"
+#include "shade/material/program.h"
+#include "shade/surface/surface.h"
+
+#include <cstdint>
+
+namespace peregrine::shade {
+
+inline constexpr uint32_t kMostTileRays = 1024;
+
+// What the rays of a tile hit: arrays readable up to the next multiple of 16.
+struct TileHits {
+    const float* direction[3];
+    const float* t; // along the camera's forward
+    const float* u;
+    const float* v;
+    const uint32_t* triangle;
+    const uint32_t* back_face;
+    uint32_t count;
+};
+
+// One thread's working memory for the light of a tile, and the result, ray by ray.
+struct alignas(64) TileLight {
+    static constexpr uint32_t kPaddedRays = kMostTileRays + 16;
+    using Lanes = float[kPaddedRays];
+
+    Lanes irradiance[3];
+    Lanes highlight[3]; // with Program::highlight
+
+    // Where light was found: what it was found for.
+    Lanes normal[3];
+    Lanes shininess;
+    bool relief[kMostTileRays]; // and it was found without the normal map that is there
+    LightMarks marks[kMostTileRays];
+    bool found[kMostTileRays];
+
+    // Where it is to be found next, and what is known there: index in `known`.
+    bool wanted[kMostTileRays];
+    uint16_t known_of[kMostTileRays];
+
+    // By log2(side) - 2.
+    struct List {
+        Block blocks[kMostTileRays / 16];
+        uint32_t count;
+
+        void add(const Block& block) { blocks[count++] = block; }
+    };
+    List pending[3];
+    List uneven; // of the least side: pixels at several depths, or whose normals differ
+
+    // A tile has 4 + 16 + 64 blocks, and those of the least side have groups.
+    static constexpr uint32_t kMostKnown = 84 + 64 * PixelGroups::kMost;
+    LightMarks known[kMostKnown];
+    uint32_t known_count;
+
+    // A batch of points.
+    uint32_t ray[kPadded];
+    Surface::Lanes direction[3];
+    Surface::Lanes u;
+    Surface::Lanes v;
+    uint32_t triangle[kPadded];
+    uint32_t back_face[kPadded];
+    BatchMarks batch;
+    LightSlots slots; // of the tile
+
+    uint64_t point_count; // of a frame
+
+    static uint32_t level_of(uint32_t side) { return side == 4 ? 0 : side == 8 ? 1 : 2; }
+    void begin(uint32_t ray_count); // a tile
+    uint16_t know(const LightMarks& found_marks) {
+        known[known_count] = found_marks;
+        return uint16_t(known_count++);
+    }
+    void want(uint32_t ray, uint16_t known_index) { // without normal maps
+        wanted[ray] = !found[ray];
+        known_of[ray] = known_index;
+    }
+    void want_whole(uint32_t ray, uint16_t known_index) {
+        wanted[ray] = !found[ray] || relief[ray];
+        known_of[ray] = known_index;
+    }
+};
+
+} // namespace peregrine::shade
