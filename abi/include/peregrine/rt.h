@@ -1191,8 +1191,8 @@ typedef struct rt_frame_desc {
     float light_tolerance; /* how far light may be from what lies between, as a part of it, before
                               a block is cut; >= 0 */
     rt_texture_filter texture_filter; /* rt_default_frame_desc() has RT_TEXTURE_MIPMAPS */
-    float least_light;     /* steps of an 8-bit display; lamps that give a place less are left out;
-                              >= 0 */
+    float least_light;     /* steps of an 8-bit display: the dimmest lamps of a place are left out as
+                              long as all of these together would change it by less; >= 0 */
     uint32_t edge_samples; /* rays through a pixel at an edge: 0, 1: one; 2 to 16 */
     float edge_budget;     /* at most so many more rays, as a part of the pixels; >= 0; 0: no limit */
     uint32_t render_width; /* the picture is traced so wide and high, at most width and height, and */

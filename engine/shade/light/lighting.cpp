@@ -11,6 +11,11 @@ float reach_between(const math::Vec3& point, const math::Box& box) {
     return std::max({most.x, most.y, most.z});
 }
 
+// Whether what was proved of lights is true of this frame's surfaces (trace/visibility/shaft.h).
+bool proofs_hold(const SurfaceSpace& space) {
+    return !space.is_elsewhere && space.fixed_reach <= 2 * space.fixed_size;
+}
+
 constexpr uint32_t bit(PointState state) {
     return 1u << uint32_t(state);
 }
@@ -35,17 +40,17 @@ static_assert(uint32_t(PointState::hidden) == 0);
 } // namespace
 
 Lighting::Lighting(const scene::Snapshot& snapshot, std::span<const PreparedLight> lights,
-                   const SurfaceSpace& space, Program program, bool shadows)
+                   const SurfaceSpace& space, Program program, bool shadows, float unseen)
     : snapshot_(&snapshot), kernels_(&kernels(snapshot.isa())), lights_(lights), space_(space),
-      shadows_(snapshot, space), program_(program), traces_shadows_(shadows) {}
+      choice_(*snapshot.lights, lights, space.origin, unseen), shadows_(snapshot, space),
+      program_(program), traces_shadows_(shadows), recalls_(proofs_hold(space)) {}
 
 void Lighting::gather(const RayHits& hits, Scratch& scratch, BatchMarks* marks) const {
     scratch.light.clear(program_);
     const math::Box& bounds = scratch.surface.bounds;
     if (bounds.empty()) return;
-    for (uint32_t i = 0; i < lights_.size(); ++i)
-        if (reaches(lights_[i], bounds))
-            illuminate({lights_[i], marks ? marks->slots->of(i) : 0, hits, scratch, marks});
+    for (const uint32_t i : choice_.reaching(bounds, scratch.lists))
+        illuminate({lights_[i], marks ? marks->slots->of(i) : 0, hits, scratch, marks});
 }
 
 // What need not be traced of a light that casts shadows.
@@ -53,12 +58,14 @@ Lighting::Known Lighting::find_known(const Task& task) const {
     Known known;
     const PreparedLight& light = task.light;
     const bool has_marks = task.marks && task.marks->any_known;
-    if (!light.visibility && !has_marks) return known;
+    const trace::visibility::PointVisibility* const visibility =
+        recalls_ ? light.visibility : nullptr;
+    if (!visibility && !has_marks) return known;
     uint32_t* const states = task.scratch.shadow.states;
     uint32_t occurs = 0;
-    if (light.visibility)
-        occurs = kernels_->recall(*light.visibility, task.scratch.surface,
-                                  snapshot_->world.first_moving, task.hits, states);
+    if (visibility)
+        occurs = kernels_->recall(*visibility, task.scratch.surface, snapshot_->world.first_moving,
+                                  task.hits, states);
     else
         std::fill_n(states, task.hits.count, uint32_t(PointState::mixed));
     if (has_marks) occurs = overlay(*task.marks, task.slot, task.hits.count, states);
