@@ -12,7 +12,7 @@ inline constexpr uint32_t kPadded = kBatch + 16; // vectors may write this far
 // Neighbouring rays that hit the same side of one triangle, or nothing.
 struct TriangleRun {
     uint32_t begin, end;
-    bool relief; // it has a normal map
+    bool relief = false; // it has a normal map
 };
 
 // What is asked about surfaces: what light wants to know, how they look, or both. `smooth` is
