@@ -12,6 +12,7 @@
 
 namespace peregrine::render {
 
+class Film;
 struct Plan;
 struct TileBuffers;
 
@@ -22,15 +23,18 @@ using Stage = void (*)(const Plan& plan, TileBuffers& buffers);
 struct Plan {
     const scene::Snapshot& snapshot;
     const Frame& frame;
+    Extent extent; // in pixels that are traced
+    Film* film;    // null: no pass looks at neighbours
     Pinhole pinhole;
     math::Vec3d eye;      // where its rays begin
     trace::Filter filter; // of primary rays
     shade::Shader shader;
     shade::BlockLight block_light; // of frames with light in blocks
 
-    // All must outlive the plan; `lights` is filled with those of the snapshot.
+    // All must outlive the plan; `lights` is filled with those of the snapshot. `film` is for the
+    // frames that need one.
     Plan(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
-         base::Vector<shade::PreparedLight>& lights);
+         base::Vector<shade::PreparedLight>& lights, Film* film);
 
     std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 

@@ -58,19 +58,22 @@ void begin_primary_rays(const Plan& plan, TileBuffers& buffers) {
     std::fill_n(buffers.t_max, kTilePadded, std::numeric_limits<float>::infinity());
 }
 
-void trace_primary_rays(const Plan& plan, TileBuffers& buffers) {
-    make_rays(plan.pinhole, buffers);
+void trace_rays_from_eye(const Plan& plan, TileBuffers& buffers, uint32_t count) {
     const auto& [ox, oy, oz] = buffers.origin;
     const auto& [dx, dy, dz] = buffers.direction;
-    const trace::RayStream rays = {{ox, oy, oz},       {dx, dy, dz},
-                                   buffers.t_min,      buffers.t_max,
-                                   buffers.tile.count, trace::Coherence::common_origin};
+    const trace::RayStream rays = {{ox, oy, oz},  {dx, dy, dz}, buffers.t_min,
+                                   buffers.t_max, count,        trace::Coherence::common_origin};
     const bool count_steps = plan.frame.view == View::steps;
     // All begin at the eye, and these are zeros.
     const trace::Positions positions = {{buffers.t_min, buffers.t_min, buffers.t_min}, plan.eye};
     trace::closest(plan.snapshot.world, rays, positions, plan.filter,
                    {buffers.t, buffers.u, buffers.v, buffers.triangle, buffers.back_face,
                     count_steps ? buffers.steps : nullptr});
+}
+
+void trace_primary_rays(const Plan& plan, TileBuffers& buffers) {
+    make_rays(plan.pinhole, buffers);
+    trace_rays_from_eye(plan, buffers, buffers.tile.count);
 }
 
 } // namespace peregrine::render
