@@ -14,8 +14,8 @@ struct Pixel {
     uint32_t x, y;
 };
 
-// A sunflower's seeds: any number of them covers a disk evenly, and no two share a row or column.
-// The disk has a pixel's area.
+// A sunflower's seeds (Vogel 1979): any number of them covers a disk evenly, and no two share a row
+// or column. The disk has a pixel's area.
 constexpr double kDiskRadius = 0.5641895835477563;
 constexpr double kGoldenCosine = -0.7373688780783197, kGoldenSine = 0.6754902942615238;
 
