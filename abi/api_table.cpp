@@ -45,6 +45,7 @@ constexpr rt_api kApi = {
     .find_nearest = rt_find_nearest,
     .set_mesh_user_data = rt_set_mesh_user_data,
     .resolve_surfaces = rt_resolve_surfaces,
+    .govern_frame = rt_govern_frame,
 };
 
 constexpr const char* kResultNames[] = {

@@ -131,7 +131,7 @@ render::FrameStats render(scene::Scene& scene, render::Camera camera, const rend
     const scene::Snapshot& snapshot = require_snapshot(pin, held);
     camera.position -= snapshot.origin;
     render::FrameStats stats;
-    render::render_frame(snapshot, camera, frame, scene.scheduler, &scene.recycled, &stats);
+    render::render_frame(snapshot, camera, frame, scene.scheduler, &scene.frame_memory, &stats);
     return stats;
 }
 

@@ -44,6 +44,7 @@ PEREGRINE_RELEASED(rt_nearest_desc, 64);
 PEREGRINE_RELEASED(rt_camera, 56);
 PEREGRINE_RELEASED(rt_frame_desc, 120, 128, 160);
 PEREGRINE_RELEASED(rt_frame_stats, 40, 56);
+PEREGRINE_RELEASED(rt_governor, 184);
 PEREGRINE_RELEASED(rt_scene_stats, 64);
 
 #undef PEREGRINE_RELEASED

@@ -54,6 +54,10 @@ rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, voi
     desc.depth_range = frame.depth_range;
     desc.no_shadows = frame.no_shadows ? 1 : 0;
     desc.snapshot = frame.snapshot;
+    desc.render_width = frame.traced_width;
+    desc.render_height = frame.traced_height;
+    if (frame.governor)
+        check(api_.govern_frame(frame.governor, &desc, frame.last), "choosing how fine a frame is");
     rt_frame_stats stats = rt_default_frame_stats();
     check(api_.render_frame(scene_, &camera, &desc, &stats), "rendering a frame");
     return stats;

@@ -17,6 +17,11 @@ struct Frame {
     float depth_range = 50.0f;
     bool no_shadows = false;
     rt_snapshot snapshot{}; // null: the current one
+    // The picture is traced so large and then enlarged; 0: as large as it is. Or the governor
+    // chooses, by the last frame that it chose, if it has not seen that yet.
+    uint32_t traced_width = 0, traced_height = 0;
+    rt_governor* governor = nullptr;
+    const rt_frame_stats* last = nullptr;
 };
 
 // A scene of the engine. Throws EngineError with the engine's own sentence.

@@ -1,7 +1,9 @@
 #include "base/recycling_memory.h"
 
+#include <algorithm>
 #include <bit>
 #include <new>
+#include <utility>
 
 // Idle memory is not to be read: a recycled block would hide that from the address sanitizer.
 #if defined(__SANITIZE_ADDRESS__)
@@ -54,6 +56,7 @@ void* RecyclingMemory::take_idle(uint32_t number, size_t bytes) noexcept {
     idle_[number] = block->next;
     bytes_idle_ -= bytes;
     bytes_in_use_ += bytes;
+    most_in_use_ = std::max(most_in_use_, bytes_in_use_);
     return block;
 }
 
@@ -67,6 +70,7 @@ void* RecyclingMemory::take_new(size_t bytes) {
     }
     const std::lock_guard lock(mutex_);
     bytes_in_use_ += bytes;
+    most_in_use_ = std::max(most_in_use_, bytes_in_use_);
     return block;
 }
 
@@ -95,6 +99,15 @@ void RecyclingMemory::trim() noexcept {
     {
         const std::lock_guard lock(mutex_);
         if (bytes_idle_ <= kFewBytes || bytes_idle_ / kMostIdle <= bytes_in_use_) return;
+    }
+    give_back();
+}
+
+void RecyclingMemory::trim_unused() noexcept {
+    {
+        const std::lock_guard lock(mutex_);
+        const size_t most = std::exchange(most_in_use_, bytes_in_use_);
+        if (bytes_idle_ <= kFewBytes || bytes_idle_ / kMostIdle <= most) return;
     }
     give_back();
 }

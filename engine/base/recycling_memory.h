@@ -19,6 +19,8 @@ public:
     // Gives idle blocks back if they are many times more than what is in use: what they held is
     // gone for good.
     void trim() noexcept;
+    // ... or many times more than what was in use at any time since the last call.
+    void trim_unused() noexcept;
 
 private:
     struct IdleBlock {
@@ -41,6 +43,7 @@ private:
     std::array<IdleBlock*, kSizeClasses> idle_{};
     size_t bytes_idle_ = 0;
     size_t bytes_in_use_ = 0;
+    size_t most_in_use_ = 0; // since the last trim_unused()
 };
 
 } // namespace peregrine::base

@@ -3,6 +3,7 @@
 #include "math/ray.h"
 #include "math/vec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -25,16 +26,23 @@ struct Pinhole {
     math::Vec3 down;
     float pixel_width; // at t = 1
 
-    Pinhole(const Camera& camera, uint32_t width, uint32_t height) {
+    Pinhole(const Camera& camera, uint32_t width, uint32_t height)
+        : Pinhole(camera, width, height, width, height) {}
+
+    // What an image of width x height would show, in columns x rows pixels.
+    Pinhole(const Camera& camera, uint32_t width, uint32_t height, uint32_t columns,
+            uint32_t rows) {
         using math::Vec3d;
         const Vec3d forward = glm::normalize(Vec3d(camera.forward));
         const Vec3d side = glm::normalize(glm::cross(forward, Vec3d(camera.up)));
         const Vec3d up = glm::cross(side, forward);
         const double pixel = 2.0 * std::tan(double(camera.vertical_fov) * 0.5) / double(height);
         origin = math::Vec3(camera.position);
-        right = math::Vec3(side * pixel);
-        down = math::Vec3(-up * pixel);
-        pixel_width = float(pixel);
+        const double across = columns == width ? 1.0 : double(width) / double(columns);
+        const double along = rows == height ? 1.0 : double(height) / double(rows);
+        right = math::Vec3(side * (pixel * across));
+        down = math::Vec3(-up * (pixel * along));
+        pixel_width = float(pixel * std::max(across, along));
         corner = math::Vec3(forward - side * (pixel * 0.5 * double(width))
                             + up * (pixel * 0.5 * double(height)));
     }

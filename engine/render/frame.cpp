@@ -1,44 +1,139 @@
 #include "render/frame.h"
 
+#include "render/film.h"
 #include "render/plan.h"
+#include "render/post/edge_rays.h"
+#include "render/post/edges.h"
+#include "render/post/enlarge.h"
 #include "render/primary_rays.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <optional>
 
 namespace peregrine::render {
+namespace {
+
+uint32_t tiles_of(const Extent& extent) {
+    return Tile::tile_count(extent.width, extent.height);
+}
+
+// Everything that a frame's passes work with. Making it allocates all that they need.
+class FrameRun {
+public:
+    FrameRun(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
+             base::Scheduler& scheduler, base::Memory* memory)
+        : scheduler_(scheduler), moved_lights_(memory), film_(make_film(frame, memory)),
+          plan_(snapshot, camera, frame, moved_lights_, film_ ? &*film_ : nullptr),
+          workers_(std::min(scheduler.concurrency(), tiles_of(plan_.extent)), memory),
+          light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
+          edges_(frame.looks_for_edges() ? workers_.size() : 0, memory) {}
+
+    void run() {
+        for_each_worker([&](uint32_t i) {
+            workers_[i].scratch.shadow.initialize();
+            workers_[i].scratch.lists = light_room_.lists(i);
+            begin_primary_rays(plan_, workers_[i]);
+        });
+        for_each_tile([&](TileBuffers& buffers, uint32_t) {
+            for (const Stage stage : plan_.stages()) stage(plan_, buffers);
+        });
+        if (plan_.frame.looks_for_edges()) sharpen_edges();
+        if (plan_.frame.is_enlarged()) enlarge();
+    }
+
+    void add_to(FrameStats& stats) const {
+        stats.rays_primary += uint64_t(plan_.extent.width) * plan_.extent.height;
+        for (const TileBuffers& buffers : workers_) {
+            stats.rays_shadow += buffers.scratch.shadow.ray_count;
+            stats.light_points += buffers.light.point_count;
+            stats.rays_edge += buffers.edge_ray_count;
+        }
+    }
+
+private:
+    static std::optional<Film> make_film(const Frame& frame, base::Memory* memory) {
+        if (!frame.looks_for_edges() && !frame.is_enlarged()) return std::nullopt;
+        return std::optional<Film>(std::in_place, frame.traced(), frame.looks_for_edges(), memory);
+    }
+
+    template <class Work>
+    void for_each_worker(Work&& work) {
+        scheduler_.for_each(uint32_t(workers_.size()), work);
+    }
+
+    // Calls work(i, worker) for each i < count.
+    template <class Work>
+    void share(uint32_t count, Work&& work) {
+        std::atomic<uint32_t> next{0};
+        for_each_worker([&](uint32_t worker) {
+            for (uint32_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;)
+                work(i, worker);
+        });
+    }
+
+    template <class Work>
+    void for_each_tile(Work&& work) {
+        share(tiles_of(plan_.extent), [&](uint32_t tile, uint32_t worker) {
+            workers_[worker].tile.place(tile, plan_.extent.width, plan_.extent.height);
+            work(workers_[worker], worker);
+        });
+    }
+
+    void sharpen_edges() {
+        const Approximations& options = plan_.frame.approximations;
+        for_each_tile([&](TileBuffers& buffers, uint32_t worker) {
+            post::find_tile_edges(plan_, buffers.tile, edges_[worker]);
+        });
+        const post::EdgePattern pattern(options.edge_samples);
+        const auto pixels = double(plan_.extent.width) * plan_.extent.height;
+        const double most = options.edge_budget > 0
+                                ? std::floor(double(options.edge_budget) * pixels / pattern.count)
+                                : pixels;
+        const uint32_t least = post::least_key(edges_, uint64_t(std::min(most, pixels)));
+        for_each_tile([&](TileBuffers& buffers, uint32_t) {
+            post::trace_tile_edges(plan_, pattern, least, buffers);
+        });
+    }
+
+    void enlarge() {
+        share(post::enlarged_block_count(plan_.frame),
+              [&](uint32_t block, uint32_t) { post::enlarge_block(plan_, block); });
+    }
+
+    base::Scheduler& scheduler_;
+    base::Vector<shade::PreparedLight> moved_lights_;
+    std::optional<Film> film_;
+    const Plan plan_;
+    base::Vector<TileBuffers> workers_;
+    shade::LightRoom light_room_;
+    base::Vector<post::EdgeCounts> edges_; // of each worker
+};
+
+} // namespace
 
 void render_frame(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
                   base::Scheduler& scheduler, base::Memory* memory, FrameStats* stats) {
     const auto begin = std::chrono::steady_clock::now();
-    base::Vector<shade::PreparedLight> moved_lights(memory);
-    const Plan plan(snapshot, camera, frame, moved_lights);
-    const uint32_t tile_count = Tile::tile_count(frame.width, frame.height);
-    const uint32_t worker_count = std::min(scheduler.concurrency(), tile_count);
-    shade::LightRoom light_room = plan.shader.light_choice().make_room(worker_count, memory);
-    base::Vector<TileBuffers> workers(worker_count, memory);
-    std::atomic<uint32_t> next_tile{0};
-    scheduler.for_each(worker_count, [&](uint32_t i) {
-        TileBuffers& buffers = workers[i];
-        buffers.scratch.shadow.initialize();
-        buffers.scratch.lists = light_room.lists(i);
-        begin_primary_rays(plan, buffers);
-        for (uint32_t tile;
-             (tile = next_tile.fetch_add(1, std::memory_order_relaxed)) < tile_count;) {
-            buffers.tile.place(tile, frame.width, frame.height);
-            for (const Stage stage : plan.stages()) stage(plan, buffers);
-        }
-    });
+    // Planes are never enlarged: beside a picture that is, they are a frame of their own.
+    Frame picture = frame, planes = frame;
+    std::optional<FrameRun> planes_run;
+    if (frame.is_enlarged() && frame.wants_planes()) {
+        picture.depth = picture.triangle_ids = picture.mesh_ids = picture.normals = {};
+        planes.pixels = nullptr;
+        planes_run.emplace(snapshot, camera, planes, scheduler, memory);
+    }
+    FrameRun picture_run(snapshot, camera, picture, scheduler, memory);
+    if (planes_run) planes_run->run();
+    picture_run.run();
 
     if (!stats) return;
+    *stats = {};
     stats->threads = scheduler.concurrency();
-    stats->rays_primary = uint64_t(frame.width) * frame.height;
-    stats->rays_shadow = stats->light_points = 0;
-    for (const TileBuffers& buffers : workers) {
-        stats->rays_shadow += buffers.scratch.shadow.ray_count;
-        stats->light_points += buffers.light.point_count;
-    }
+    if (planes_run) planes_run->add_to(*stats);
+    picture_run.add_to(*stats);
     stats->isa = snapshot.isa();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - begin;

@@ -43,6 +43,13 @@ struct Approximations {
     uint32_t render_height = 0;
 };
 
+struct Extent {
+    uint32_t width = 0;
+    uint32_t height = 0;
+
+    bool operator==(const Extent&) const = default;
+};
+
 struct Frame {
     PixelFormat format = PixelFormat::rgba8_srgb;
     void* pixels = nullptr;  // top row first, of any alignment; null: shade nothing
@@ -61,6 +68,16 @@ struct Frame {
     Plane normals;      // float[3]
     Approximations approximations;
 
+    bool is_shaded() const { return pixels && view == View::shaded; }
+    bool looks_for_edges() const { return is_shaded() && approximations.edge_samples > 1; }
+    Extent extent() const { return {width, height}; }
+    // What is traced of it. Debug views and planes are never enlarged.
+    Extent traced() const {
+        const uint32_t w = approximations.render_width, h = approximations.render_height;
+        if (!is_shaded()) return extent();
+        return {w == 0 || w > width ? width : w, h == 0 || h > height ? height : h};
+    }
+    bool is_enlarged() const { return traced() != extent(); }
     bool wants_planes() const {
         return depth.data || triangle_ids.data || mesh_ids.data || normals.data;
     }

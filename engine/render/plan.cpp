@@ -1,5 +1,6 @@
 #include "render/plan.h"
 
+#include "render/film.h"
 #include "render/planes.h"
 #include "render/post/encode.h"
 #include "render/post/tones.h"
@@ -77,8 +78,9 @@ Stage stage_of(const Frame& frame) {
 } // namespace
 
 Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& frame_,
-           base::Vector<shade::PreparedLight>& moved_lights)
-    : snapshot(snapshot_), frame(frame_), pinhole(camera, frame_.width, frame_.height),
+           base::Vector<shade::PreparedLight>& moved_lights, Film* film_)
+    : snapshot(snapshot_), frame(frame_), extent(frame_.traced()), film(film_),
+      pinhole(camera, frame_.width, frame_.height, extent.width, extent.height),
       eye(camera.position), filter(primary_filter(snapshot_)),
       shader(make_shader(snapshot_, camera, frame_, moved_lights)),
       block_light(shader, snapshot_.environment, frame_.approximations.light_tolerance,
@@ -88,6 +90,8 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
     if (frame.wants_planes()) add(write_planes);
     if (!frame.pixels) return;
     add(stage_of(frame));
+    if (film) add(keep_on_film);
+    if (frame.is_enlarged()) return;
     add(post::tones_of(frame));
     add(post::encoder_of(frame));
 }

@@ -12,6 +12,7 @@
 
 namespace peregrine::render {
 
+class Film;
 struct Plan;
 struct TileBuffers;
 
@@ -22,6 +23,8 @@ using Stage = void (*)(const Plan& plan, TileBuffers& buffers);
 struct Plan {
     const scene::Snapshot& snapshot;
     const Frame& frame;
+    Extent extent; // in pixels that are traced
+    Film* film;    // null: no pass looks at neighbours
     Pinhole pinhole;
     math::Vec3d eye;      // where its rays begin
     trace::Filter filter; // of primary rays
@@ -29,8 +32,9 @@ struct Plan {
     shade::BlockLight block_light; // of frames with light in blocks
 
     // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
+    // `film` is for the frames that need one.
     Plan(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
-         base::Vector<shade::PreparedLight>& moved_lights);
+         base::Vector<shade::PreparedLight>& moved_lights, Film* film);
 
     std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 

@@ -61,26 +61,27 @@ void begin_primary_rays(const Plan& plan, TileBuffers& buffers) {
     buffers.footprint = by_footprint ? plan.pinhole.pixel_width : 0;
 }
 
-void trace_primary_rays(const Plan& plan, TileBuffers& buffers) {
-    make_rays(plan.pinhole, buffers);
+void trace_rays_from_eye(const Plan& plan, TileBuffers& buffers, uint32_t count,
+                         const trace::ImageTile* image) {
     const auto& [ox, oy, oz] = buffers.origin;
     const auto& [dx, dy, dz] = buffers.direction;
-    const bool count_steps = plan.frame.view == View::steps;
-    const Pinhole& pinhole = plan.pinhole;
-    const trace::ImageTile image = {pinhole.corner, pinhole.right, pinhole.down, buffers.tile.x0,
-                                    buffers.tile.y0};
-    const trace::RayStream rays = {{ox, oy, oz},
-                                   {dx, dy, dz},
-                                   buffers.t_min,
-                                   buffers.t_max,
-                                   buffers.tile.count,
-                                   trace::Coherence::common_origin,
-                                   buffers.tile.is_whole() && !count_steps ? &image : nullptr};
+    const trace::RayStream rays = {{ox, oy, oz},  {dx, dy, dz}, buffers.t_min,
+                                   buffers.t_max, count,        trace::Coherence::common_origin,
+                                   image};
     // All begin at the eye, and these are zeros.
     const trace::Positions positions = {{buffers.t_min, buffers.t_min, buffers.t_min}, plan.eye};
     trace::closest(plan.snapshot.world, rays, positions, plan.filter,
                    {buffers.t, buffers.u, buffers.v, buffers.triangle, buffers.back_face,
-                    count_steps ? buffers.steps : nullptr});
+                    plan.frame.view == View::steps ? buffers.steps : nullptr});
+}
+
+void trace_primary_rays(const Plan& plan, TileBuffers& buffers) {
+    make_rays(plan.pinhole, buffers);
+    const Pinhole& pinhole = plan.pinhole;
+    const trace::ImageTile image = {pinhole.corner, pinhole.right, pinhole.down, buffers.tile.x0,
+                                    buffers.tile.y0};
+    const bool as_tile = buffers.tile.is_whole() && plan.frame.view != View::steps;
+    trace_rays_from_eye(plan, buffers, buffers.tile.count, as_tile ? &image : nullptr);
 }
 
 } // namespace peregrine::render

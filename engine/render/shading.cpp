@@ -48,6 +48,10 @@ private:
 void shade_tile(const Plan& plan, TileBuffers& buffers) {
     buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
         plan.shader.shade(hits, buffers.colors_from(first).channel, buffers.scratch);
+        if (!plan.frame.looks_for_edges()) return;
+        for (int k = 0; k < 3; ++k)
+            std::copy_n(buffers.scratch.light.irradiance[k], hits.count,
+                        buffers.light.irradiance[k] + first);
     });
     buffers.light.point_count += buffers.tile.count;
 }

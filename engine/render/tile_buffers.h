@@ -32,12 +32,18 @@ struct alignas(64) TileBuffers {
     TileColors colors; // radiance, then display values
     shade::Scratch scratch;
     shade::TileLight light;
+    uint64_t edge_ray_count = 0; // of a frame
 
-    // Calls function(hits, first) for batches of the tile's rays, `first` being a batch's first.
+    // Calls function(hits, first) for batches of rays, `first` being a batch's first.
+    template <class Function>
+    void for_each_batch(uint32_t ray_count, Function&& function) {
+        for (uint32_t first = 0; first < ray_count; first += shade::kBatch)
+            function(hits_from(first, std::min(ray_count - first, shade::kBatch)), first);
+    }
+    // ... of the tile.
     template <class Function>
     void for_each_batch(Function&& function) {
-        for (uint32_t first = 0; first < tile.count; first += shade::kBatch)
-            function(hits_from(first), first);
+        for_each_batch(tile.count, function);
     }
 
     struct Channels {
@@ -50,14 +56,14 @@ struct alignas(64) TileBuffers {
 private:
     static_assert(kTileRays % shade::kBatch == 0);
 
-    shade::RayHits hits_from(uint32_t first) const {
+    shade::RayHits hits_from(uint32_t first, uint32_t count) const {
         return {{direction[0] + first, direction[1] + first, direction[2] + first},
                 u + first,
                 v + first,
                 triangle + first,
                 back_face + first,
                 t + first,
-                std::min(tile.count - first, shade::kBatch),
+                count,
                 footprint};
     }
 };

@@ -20,7 +20,7 @@ uint32_t next_first_generation() {
 
 Scene::Scene(const SceneOptions& options)
     : first_generation_(next_first_generation()), memory(options.memory), recycled(&memory),
-      scheduler(options.worker_count, options.host_scheduler, &memory),
+      frame_memory(&memory), scheduler(options.worker_count, options.host_scheduler, &memory),
       textures(first_generation_, &memory), materials(first_generation_, &memory),
       meshes(first_generation_, &memory), lights(first_generation_, &memory),
       snapshots(first_generation_, &recycled),
@@ -42,6 +42,7 @@ CommitReport Scene::commit(const CommitOptions& options) {
     commit.remember();
     draft.publish();
     recycled.trim();
+    frame_memory.trim_unused();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
     report.commit_ms = elapsed.count();

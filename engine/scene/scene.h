@@ -127,7 +127,8 @@ private:
 public:
     // In front of all that it serves, so that it goes last.
     base::HostMemory memory;
-    base::RecyclingMemory recycled; // for what commits and updates make again and again
+    base::RecyclingMemory recycled;     // for what commits and updates make again and again, ...
+    base::RecyclingMemory frame_memory; // ... and for frames: as much as the last ones needed
     base::Scheduler scheduler;
 
     base::SlotMap<std::shared_ptr<const Texture>> textures;

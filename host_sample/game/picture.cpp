@@ -12,7 +12,7 @@ bool Picture::visible() {
 
 void Picture::show(const Viewpoint& view, float exposure, rt_snapshot snapshot) {
     const bool radiance = presenter_.wants_radiance();
-    Frame frame = session_.frame(scale_.side(width_), scale_.side(height_));
+    Frame frame = session_.frame(static_cast<uint32_t>(width_), static_cast<uint32_t>(height_));
     frame.exposure = exposure;
     frame.snapshot = snapshot;
     if (radiance) {
@@ -20,13 +20,13 @@ void Picture::show(const Viewpoint& view, float exposure, rt_snapshot snapshot) 
         frame.tone_mapping = RT_TONE_NONE;
     }
     pixels_.resize(size_t{frame.width} * frame.height * (radiance ? 4 : 1));
-    const rt_frame_stats stats = session_.stage.render(view, frame, pixels_.data());
-    session_.log.add(stats);
+    detail_.describe(frame);
+    stats_ = session_.stage.render(view, frame, pixels_.data());
+    session_.log.add(stats_);
     session_.width = sides_[0] = frame.width;
     session_.height = sides_[1] = frame.height;
     view_ = view;
     exposure_ = exposure;
-    render_ms_ = stats.frame_ms;
     presenter_.show(pixels_.data(), frame.width, frame.height, width_, height_, exposure,
                     frame.view == RT_VIEW_SHADED);
 }
@@ -37,12 +37,12 @@ void Picture::repeat() {
 
 bool Picture::is_outdated(const Viewpoint& view) const {
     return view.position != view_.position || view.forward != view_.forward || view.up != view_.up
-           || view.vertical_fov != view_.vertical_fov || sides_[0] != scale_.side(width_)
-           || sides_[1] != scale_.side(height_);
+           || view.vertical_fov != view_.vertical_fov || sides_[0] != static_cast<uint32_t>(width_)
+           || sides_[1] != static_cast<uint32_t>(height_);
 }
 
 void Picture::adapt(double frame_ms, float chosen) {
-    scale_.update(frame_ms, render_ms_, static_cast<double>(chosen));
+    detail_.update(frame_ms, stats_, static_cast<double>(chosen));
 }
 
 std::string Picture::write_screenshot(const Viewpoint& view, float exposure,

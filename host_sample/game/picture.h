@@ -5,7 +5,7 @@
 #include "../presenter.h"
 #include "../session.h"
 #include "../window.h"
-#include "render_scale.h"
+#include "frame_detail.h"
 
 namespace host::game {
 
@@ -24,7 +24,7 @@ public:
     // Whether another view or size was shown last.
     bool is_outdated(const Viewpoint& view) const;
 
-    // After the frame is presented. `chosen`: the scale that the player chose; 0: as large as the
+    // After the frame is presented. `chosen`: the scale that the player chose; 0: as fine as the
     // time allows.
     void adapt(double frame_ms, float chosen);
 
@@ -38,12 +38,12 @@ private:
     Session& session_;
     Window& window_;
     Presenter presenter_;
-    RenderScale scale_;
+    FrameDetail detail_;
     int width_ = 0, height_ = 0;
-    Viewpoint view_;         // of the last frame
-    uint32_t sides_[2] = {}; // of the last frame; 0: there is none
-    float exposure_ = 1.0f;  // of the last frame
-    double render_ms_ = 0.0;
+    Viewpoint view_;                                  // of the last frame
+    uint32_t sides_[2] = {};                          // of the last frame; 0: there is none
+    float exposure_ = 1.0f;                           // of the last frame
+    rt_frame_stats stats_ = rt_default_frame_stats(); // of the last frame
     std::vector<float> pixels_; // four floats a pixel, or the bytes of four channels
 };
 

@@ -423,6 +423,21 @@ static void print_frame(void) {
     FIELD(rt_frame_stats, reserved);
     FIELD(rt_frame_stats, rays_edge);
     FIELD(rt_frame_stats, light_points);
+    STRUCT(rt_governor);
+    FIELD(rt_governor, struct_size);
+    FIELD(rt_governor, target_ms);
+    FIELD(rt_governor, level);
+    FIELD(rt_governor, level_count);
+    FIELD(rt_governor, frames);
+    FIELD(rt_governor, patience);
+    FIELD(rt_governor, previous_level);
+    FIELD(rt_governor, previous_ms);
+    FIELD(rt_governor, smooth_ms);
+    FIELD(rt_governor, mean_ms);
+    FIELD(rt_governor, recent_ms);
+    FIELD(rt_governor, costs);
+    FIELD(rt_governor, seen_at);
+    FIELD(rt_governor, text);
     STRUCT(rt_scene_stats);
     FIELD(rt_scene_stats, struct_size);
     FIELD(rt_scene_stats, threads);
@@ -478,6 +493,7 @@ static void print_table(void) {
     FIELD(rt_api, find_nearest);
     FIELD(rt_api, set_mesh_user_data);
     FIELD(rt_api, resolve_surfaces);
+    FIELD(rt_api, govern_frame);
 }
 
 int main(void) {

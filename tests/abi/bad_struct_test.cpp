@@ -137,6 +137,24 @@ TEST_F(BadStruct, QueryAndFrame) {
         [&](rt_frame_stats* stats) { return rt_render_frame(scene(), &camera, &frame, stats); });
 }
 
+TEST_F(BadStruct, Governor) {
+    rt_frame_desc frame = rt_default_frame_desc();
+    rt_governor governor = rt_default_governor();
+    check_sizes<rt_governor>(governor, "rt_governor", [&](const rt_governor* g) {
+        return rt_govern_frame(const_cast<rt_governor*>(g), &frame, nullptr);
+    });
+    check_sizes<rt_frame_desc>(frame, "rt_frame_desc", [&](const rt_frame_desc* f) {
+        return rt_govern_frame(&governor, const_cast<rt_frame_desc*>(f), nullptr);
+    });
+    rt_frame_stats last = rt_default_frame_stats();
+    last.struct_size = 3;
+    expect_refused(rt_govern_frame(&governor, &frame, &last), RT_ERROR_INVALID_STRUCT,
+                   "rt_frame_stats.struct_size");
+    frame.struct_size = 128; // of a header without the fields
+    expect_refused(rt_govern_frame(&governor, &frame, nullptr), RT_ERROR_INVALID_STRUCT,
+                   "a frame to govern");
+}
+
 // Commits succeed in between, so the world's version moves: a scene of its own.
 TEST(CommitStruct, Sizes) {
     WorldGuard world;

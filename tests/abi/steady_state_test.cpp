@@ -232,6 +232,31 @@ TEST(SteadyState, MovedLampsAllocateNothing) {
     EXPECT_LT(median(ms.end() - 1000, ms.end()), 10 * median(ms.begin(), ms.begin() + 1000));
 }
 
+// However small the world is.
+TEST(SteadyState, FramesAllocateNothing) {
+    MovingWorld world;
+    std::vector<uint32_t> pixels(400 * 300);
+    const rt_camera camera = world_camera();
+    rt_frame_desc frame = rt_default_frame_desc();
+    frame.pixels = pixels.data();
+    frame.width = 400;
+    frame.height = 300;
+    const auto show = [&](uint32_t step) {
+        world.move(step);
+        for (uint32_t k = 0; k < 4; ++k) {
+            frame.edge_samples = k & 1 ? 8 : 1;
+            frame.render_width = k & 2 ? 301 : 0;
+            ASSERT_OK(rt_render_frame(world.scene(), &camera, &frame, nullptr));
+        }
+    };
+    for (uint32_t step = 0; step < 4; ++step) show(step);
+    const rt_scene_stats before = world.stats();
+    for (uint32_t step = 4; step < 20; ++step) show(step);
+    expect_nothing_allocated(before, world.stats());
+    for (uint32_t step = 20; step < 22; ++step) world.move(step);
+    EXPECT_LT(world.stats().bytes_allocated, before.bytes_allocated - 2'000'000) << "given back";
+}
+
 // What a large mesh needed is not kept for small ones.
 TEST(SteadyState, MemoryOfWhatIsGoneGoesBack) {
     MovingWorld world;

@@ -31,11 +31,13 @@ struct Options {
     std::string library;
     float way = 0; // metres; 0: the default of the command
     std::string json;
+    std::string pictures; // folder for them
 };
 
 // Each prints a table, and returns its rows as JSON text.
 std::string run_build(const Options& options);
 std::string run_frame(const Options& options);
+std::string run_prices(const Options& options);
 std::string run_door(const Options& options);
 std::string run_trace(const Options& options);
 std::string run_moving(const Options& options);

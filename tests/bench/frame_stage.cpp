@@ -28,10 +28,8 @@ FrameStage::FrameStage(const rt_api& api, const host::Level& level, uint32_t thr
     stage_.check(api.commit_scene(stage_.scene(), &commit, &report_), "building the scene");
 }
 
-RenderedFrame FrameStage::render(Look look, const host::Viewpoint& view,
-                                 FrameMemory& memory) const {
+RenderedFrame FrameStage::render(const rt_frame_desc& desc, const host::Viewpoint& view) const {
     const rt_camera camera = host::camera_of(view);
-    const rt_frame_desc desc = memory.frame(look);
     RenderedFrame frame{rt_default_frame_stats(), {}};
     const Seconds start = Seconds::now();
     const rt_result result =

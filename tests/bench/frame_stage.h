@@ -38,7 +38,10 @@ public:
     FrameStage(const rt_api& api, const host::Level& level, uint32_t threads,
                rt_light_proofs proofs);
 
-    RenderedFrame render(Look look, const host::Viewpoint& view, FrameMemory& memory) const;
+    RenderedFrame render(Look look, const host::Viewpoint& view, FrameMemory& memory) const {
+        return render(memory.frame(look), view);
+    }
+    RenderedFrame render(const rt_frame_desc& desc, const host::Viewpoint& view) const;
     const rt_commit_report& report() const { return report_; }
 
 private:

@@ -125,6 +125,12 @@ void add_frame_options(CLI::App& frame, Options& options) {
         ->capture_default_str();
 }
 
+void add_prices_options(CLI::App& prices, Options& options) {
+    prices.add_option("--size", options.frame_size, "Width and height, as 1280x720")
+        ->capture_default_str();
+    prices.add_option("--pictures", options.pictures, "Write all pictures to this folder as well");
+}
+
 void add_query_options(CLI::App& queries, Options& options) {
     options.items = peregrine::bench::query_item_names();
     queries.footer(peregrine::bench::query_item_legend());
@@ -154,6 +160,8 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     CLI::App* build = app.add_subcommand("build", "build time and memory of a structure");
     CLI::App* frame = app.add_subcommand("frame", "frames through the header");
+    CLI::App* prices =
+        app.add_subcommand("prices", "finer edges and smaller pictures: error and time");
     CLI::App* door = app.add_subcommand("door", "what a query costs beyond the bare traversal");
     CLI::App* trace = app.add_subcommand("trace", "rays of all kinds through the header");
     CLI::App* moving = app.add_subcommand("moving", "commits of a world that moves, and its rays");
@@ -164,9 +172,9 @@ int run(int argc, char** argv) {
     CLI::App* lamps = app.add_subcommand("lamps", "few and many lamps over a level");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
     for (CLI::App* command : {falloff, kernels}) add_output_options(*command, options);
-    for (CLI::App* command : {build, frame, door, trace, moving, queries, grenade, lamps})
+    for (CLI::App* command : {build, frame, prices, door, trace, moving, queries, grenade, lamps})
         add_options(*command, options);
-    for (CLI::App* command : {build, frame, door, trace, moving, grenade, lamps})
+    for (CLI::App* command : {build, frame, prices, door, trace, moving, grenade, lamps})
         add_threads_option(*command, options);
     add_trace_options(*trace, options);
     add_query_options(*queries, options);
@@ -186,7 +194,8 @@ int run(int argc, char** argv) {
                      "Lamps that give a place less are left out: steps of the display")
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1000.0));
-    for (CLI::App* command : {frame, door, trace, moving, queries, grenade, falloff, lamps})
+    add_prices_options(*prices, options);
+    for (CLI::App* command : {frame, prices, door, trace, moving, queries, grenade, falloff, lamps})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
@@ -194,6 +203,7 @@ int run(int argc, char** argv) {
     if (options.scenes.empty()) options.scenes = peregrine::test::scene_files();
     const std::string rows = *build     ? peregrine::bench::run_build(options)
                              : *frame   ? peregrine::bench::run_frame(options)
+                             : *prices  ? peregrine::bench::run_prices(options)
                              : *trace   ? peregrine::bench::run_trace(options)
                              : *moving  ? peregrine::bench::run_moving(options)
                              : *grenade ? peregrine::bench::run_grenade(options)

@@ -101,6 +101,10 @@ rt_result render_frame(rt_scene, const rt_camera* camera, const rt_frame_desc* f
     return RT_OK;
 }
 
+rt_result govern_frame(rt_governor*, rt_frame_desc*, const rt_frame_stats*) {
+    return RT_OK;
+}
+
 rt_result get_scene_stats(rt_scene, rt_scene_stats* stats) {
     stats->threads = 1;
     stats->isa = RT_ISA_SCALAR;
@@ -126,6 +130,7 @@ rt_api make_api() {
     api.resolve_hits = resolve_hits;
     api.render_frame = render_frame;
     api.get_scene_stats = get_scene_stats;
+    api.govern_frame = govern_frame;
     return api;
 }
 

@@ -2,60 +2,57 @@
 
 #include "error.h"
 #include "game/feedback.h"
+#include "game/frame_detail.h"
 #include "game/pace.h"
 #include "game/reckoning.h"
-#include "game/render_scale.h"
 #include "game/round.h"
 
 // The small parts of the game's host that need no engine.
 namespace host::test {
 namespace {
 
-using game::RenderScale;
+using game::FrameDetail;
 using game::RoundSeed;
 
-// A machine that takes so long for a whole picture of the window.
-double settled_scale(double whole_ms, double other_ms, RenderScale scale = {}) {
-    for (int i = 0; i < 400; ++i) {
-        const double render = whole_ms * scale.scale() * scale.scale();
-        scale.update(render + other_ms, render, 0);
-    }
-    return scale.scale();
+rt_frame_stats took(double ms) {
+    rt_frame_stats stats = rt_default_frame_stats();
+    stats.frame_ms = ms;
+    return stats;
 }
 
-TEST(RenderScale, FindsWhatTheTimeAllows) {
-    EXPECT_EQ(settled_scale(10, 2), 1.0);
-    EXPECT_EQ(settled_scale(10000, 2), 6.0 / 16);
-    for (const double whole : {50.0, 80.0, 120.0, 200.0}) {
-        const double scale = settled_scale(whole, 3);
-        EXPECT_LE(whole * scale * scale + 3, 1.1 * RenderScale::target_ms) << whole;
-        const double next = scale + 2.0 / 16; // not much smaller than it could be
-        EXPECT_GT(whole * next * next + 3, RenderScale::target_ms) << whole;
-    }
+TEST(FrameDetail, LeavesTheGovernorWhatElseAFrameTakes) {
+    FrameDetail detail;
+    for (int i = 0; i < 200; ++i) detail.update(50, took(40), 0);
+    EXPECT_NEAR(detail.governor().target_ms, FrameDetail::target_ms - 10, 1e-3);
+    for (int i = 0; i < 200; ++i) detail.update(500, took(40), 0);
+    EXPECT_NEAR(detail.governor().target_ms, FrameDetail::target_ms / 4, 1e-3);
 }
 
-TEST(RenderScale, StaysWhereItIs) {
-    RenderScale scale;
-    const auto run = [&] { // frames that differ by a tenth
-        int changes = 0;
-        for (int i = 0; i < 300; ++i) {
-            const double before = scale.scale();
-            const double render = 90 * before * before * (i % 2 == 0 ? 0.95 : 1.05);
-            scale.update(render + 3, render, 0);
-            changes += scale.scale() != before;
-        }
-        return changes;
-    };
-    run();
-    EXPECT_EQ(run(), 0);
+TEST(FrameDetail, ShowsTheGovernorEachFrameOnce) {
+    FrameDetail detail;
+    Frame frame;
+    detail.describe(frame);
+    EXPECT_EQ(frame.governor, &detail.governor());
+    EXPECT_EQ(frame.last, nullptr);
+    detail.update(50, took(40), 0);
+    Frame second, third;
+    detail.describe(second);
+    ASSERT_NE(second.last, nullptr);
+    EXPECT_EQ(second.last->frame_ms, 40);
+    detail.describe(third);
+    EXPECT_EQ(third.last, nullptr);
 }
 
-TEST(RenderScale, TheChosenOneWins) {
-    RenderScale scale;
-    scale.update(500, 500, 0.8);
-    EXPECT_DOUBLE_EQ(scale.scale(), 0.8);
-    EXPECT_EQ(scale.side(1000), 800u);
-    EXPECT_EQ(scale.side(1), 1u);
+TEST(FrameDetail, TheChosenSizeWins) {
+    FrameDetail detail;
+    detail.update(500, took(500), 0.8);
+    Frame frame;
+    frame.width = 1000;
+    frame.height = 1;
+    detail.describe(frame);
+    EXPECT_EQ(frame.governor, nullptr);
+    EXPECT_EQ(frame.traced_width, 800u);
+    EXPECT_EQ(frame.traced_height, 1u);
 }
 
 TEST(Pace, TellsATimeThatIsTooSlow) {

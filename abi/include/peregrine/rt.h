@@ -1147,7 +1147,8 @@ typedef int32_t rt_tone_mapping;
 enum {
     RT_TONE_FILMIC = 0, /* exposure, then a rational curve that reaches 1 smoothly */
     RT_TONE_CLAMP = 1,  /* exposure, then a cut at 1 */
-    RT_TONE_NONE = 2    /* radiance as it is; float formats only, ignores exposure */
+    RT_TONE_NONE = 2    /* radiance as it is; float formats only. Exposure says no more than how
+                           bright light counts where several rays are averaged or pixels enlarged */
 };
 
 typedef int32_t rt_texture_filter;
@@ -1185,18 +1186,23 @@ typedef struct rt_frame_desc {
     uint64_t mesh_row_stride;
     uint64_t normal_row_stride;
     rt_snapshot snapshot; /* null: the current one */
-    /* What follows trades error for time; zeros are exact. docs/rendering.md has each one's price. */
-    uint32_t light_block; /* pixels. 0, 1: light is found at each; 4, 8, 16: in blocks of so many,
-                             only where it changes */
+    /* What follows trades error for time; zeros are exact. docs/rendering.md has each one's price.
+     */
+    uint32_t light_block;  /* pixels. 0, 1: light is found at each; 4, 8, 16: in blocks of so many,
+                              only where it changes */
     float light_tolerance; /* how far light may be from what lies between, as a part of it, before
                               a block is cut; >= 0 */
     rt_texture_filter texture_filter; /* rt_default_frame_desc() has RT_TEXTURE_MIPMAPS */
-    float least_light;     /* steps of an 8-bit display: the dimmest lamps of a place are left out as
-                              long as all of these together would change it by less; >= 0 */
+    float least_light; /* steps of an 8-bit display: the dimmest lamps of a place are left out as
+                          long as all of these together would change it by less; >= 0 */
     uint32_t edge_samples; /* rays through a pixel at an edge: 0, 1: one; 2 to 16 */
-    float edge_budget;     /* at most so many more rays, as a part of the pixels; >= 0; 0: no limit */
-    uint32_t render_width; /* the picture is traced so wide and high, at most width and height, and */
-    uint32_t render_height; /* enlarged along edges; 0: width, height. Planes are not. */
+    float edge_budget; /* at most so many more rays, as a part of the pixels that are traced, for
+                          the strongest edges; >= 0; 0: no limit */
+    uint32_t
+        render_width; /* the picture is traced so wide and high, at most width and height, and */
+    uint32_t render_height; /* enlarged along edges; 0: width, height. Planes and views other than
+                               the shaded one are not: with planes, primary rays are traced for
+                               both sizes */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1237,6 +1243,43 @@ static inline rt_frame_stats rt_default_frame_stats(void) {
 RT_EXPORT rt_result rt_render_frame(rt_scene scene, const rt_camera* camera,
                                     const rt_frame_desc* frame,
                                     rt_frame_stats* out_stats) RT_NOEXCEPT;
+
+/* Keeps frames in time: chooses light_block, light_tolerance, then edge_samples, edge_budget, then
+ * render_width, render_height. All that it remembers is here. */
+typedef struct rt_governor {
+    uint32_t struct_size;
+    float target_ms;      /* what a frame may take; 0: the cheapest level */
+    uint32_t level;       /* that was chosen; 0: the best picture. May be set, to begin there */
+    uint32_t level_count; /* is set: how many there are */
+    /* What follows is the governor's own; zeros to begin with. */
+    uint32_t frames;
+    uint32_t patience;
+    uint32_t previous_level;
+    float previous_ms;
+    float smooth_ms;
+    float mean_ms;
+    float recent_ms[2];
+    float costs[16];
+    float seen_at[16];
+    const char* text; /* is set: what was chosen, in words. Static storage */
+} rt_governor;
+
+static inline rt_governor rt_default_governor(void) {
+    rt_governor governor;
+    memset(&governor, 0, sizeof governor);
+    governor.struct_size = (uint32_t)sizeof governor;
+    governor.target_ms = 33.0f;
+    return governor;
+}
+
+/* To be called before each frame: looks at what the last one took, which must be one that this
+ * governor chose, and chooses for the next one, from frame->width and frame->height. `last` may be
+ * null: nothing is known, as before the first frame. Depends on its arguments alone. The level
+ * stays while frames take about as long; one long frame changes nothing. Errors: INVALID_ARGUMENT,
+ * INVALID_STRUCT (also for a frame of a header that lacks the fields). Thread safety: any thread,
+ * any time, of different governors. */
+RT_EXPORT rt_result rt_govern_frame(rt_governor* governor, rt_frame_desc* frame,
+                                    const rt_frame_stats* last) RT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------- stats */
 
@@ -1310,6 +1353,8 @@ typedef struct rt_api {
     rt_result (*find_nearest)(rt_scene scene, const rt_nearest_desc* desc);
     rt_result (*set_mesh_user_data)(rt_scene scene, rt_mesh mesh, uint64_t user_data);
     rt_result (*resolve_surfaces)(rt_scene scene, const rt_resolve_desc* desc);
+    rt_result (*govern_frame)(rt_governor* governor, rt_frame_desc* frame,
+                              const rt_frame_stats* last);
 } rt_api;
 
 /* The table for hosts that load the library by hand; look this one symbol up. `version` is the

@@ -1,0 +1,73 @@
+#include "render/film.h"
+
+#include "render/post/kernels.h"
+#include "render/tile_buffers.h"
+
+namespace peregrine::render {
+namespace {
+
+template <class Element>
+void store(const Plan& plan, const Tile& tile, const Element* values, Element* plane) {
+    store_tile(tile, values, plane, plan.film->stride() * sizeof(Element));
+}
+
+// As the eye sees it, more or less.
+float brightness(float red, float green, float blue) {
+    return 0.25f * red + 0.5f * green + 0.25f * blue;
+}
+
+// Names the mesh and the material of each hit.
+void find_looks(const scene::Snapshot& snapshot, const TileBuffers& buffers, uint32_t* looks) {
+    uint32_t last = geometry::kNoTriangle, look = ~0u;
+    for (uint32_t i = 0; i < buffers.tile.count; ++i) {
+        const uint32_t triangle = buffers.triangle[i];
+        if (triangle != last) {
+            last = triangle;
+            look = ~0u;
+            if (triangle != geometry::kNoTriangle) {
+                const geometry::TriangleInfo info = trace::info(snapshot.world, triangle);
+                const auto& mesh = snapshot.meshes[info.mesh];
+                look = info.mesh * 0x9e3779b1u ^ mesh.materials->of(info.primitive);
+            }
+        }
+        looks[i] = look;
+    }
+}
+
+void keep_edges(const Plan& plan, TileBuffers& buffers) {
+    alignas(64) float values[kTilePadded];
+    alignas(64) uint32_t looks[kTilePadded];
+    const Tile& tile = buffers.tile;
+    for (uint32_t i = 0; i < tile.count; ++i) values[i] = 1.0f / buffers.t[i];
+    store(plan, tile, values, plan.film->nearness());
+    const auto& [red, green, blue] = buffers.light.irradiance;
+    for (uint32_t i = 0; i < tile.count; ++i) values[i] = brightness(red[i], green[i], blue[i]);
+    store(plan, tile, values, plan.film->light());
+    find_looks(plan.snapshot, buffers, looks);
+    store(plan, tile, looks, plan.film->look());
+}
+
+} // namespace
+
+Film::Film(const Extent& extent, bool edges, base::Memory* memory)
+    : stride_((extent.width + 2 * kMargin - 1) / kMargin * kMargin),
+      plane_size_(stride_ * extent.height + 2 * kMargin), has_edges_(edges), floats_(memory),
+      looks_(memory), edges_(memory) {
+    floats_.allocate(plane_size_ * (edges ? 5 : 3));
+    if (!edges) return;
+    looks_.allocate(plane_size_);
+    edges_.allocate(plane_size_);
+}
+
+void keep_on_film(const Plan& plan, TileBuffers& buffers) {
+    alignas(64) float shown[kTilePadded];
+    const post::Kernels& kernels = post::kernels(plan.snapshot.isa());
+    for (int k = 0; k < 3; ++k) {
+        kernels.to_shown(plan.frame.tone_mapping, plan.frame.exposure, buffers.colors.channel[k],
+                         buffers.tile.count, shown);
+        store(plan, buffers.tile, shown, plan.film->shown(k));
+    }
+    if (plan.film->has_edges()) keep_edges(plan, buffers);
+}
+
+} // namespace peregrine::render

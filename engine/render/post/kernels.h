@@ -1,0 +1,48 @@
+#pragma once
+
+#include "base/isa.h"
+#include "render/frame.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace peregrine::render::post {
+
+// A row of a film for edges, and where its neighbours are, in elements.
+struct EdgeRow {
+    const float* shown[3];
+    const float* nearness;
+    const float* light;
+    const uint32_t* look;
+    ptrdiff_t above, below; // 0: there is none
+    uint32_t width;
+    float most_bend;  // of nearness, in parts of it, on what counts as one plane
+    float more_light; // that arrives everywhere
+};
+
+// The four columns about each pixel of a row of an enlarged block, from one row of the film.
+inline constexpr uint32_t kEnlargedBlock = 64;
+struct alignas(64) TapRow {
+    float tap[3][4][kEnlargedBlock];
+};
+
+// The loops of passes, compiled for each instruction set; all of them give the same bits. Arrays
+// are readable and writable up to the next multiple of 16.
+struct Kernels {
+    // Radiance as shown.h has it.
+    void (*to_shown)(ToneMapping tones, float exposure, const float* radiance, uint32_t count,
+                     float* shown);
+    // How strong an edge pixels [begin, begin + count) are: the largest step of any channel to a
+    // neighbour on another surface or in other light, in steps of 1 / 255. `begin`: a multiple
+    // of 16.
+    void (*find_edges)(const EdgeRow& row, uint32_t begin, uint32_t count, float* strengths);
+    // A row between rows[1] and rows[2]; see enlarge.h. `x`: how far each pixel is between the
+    // middle taps.
+    void (*enlarge_row)(const TapRow* const rows[4], const float* x, float y, uint32_t count,
+                        float* const shown[3]);
+};
+
+// For this instruction set, or the plain one if it was not compiled. Does not ask the machine.
+const Kernels& kernels(base::Isa isa);
+
+} // namespace peregrine::render::post

@@ -1,0 +1,216 @@
+// What finer edges and smaller pictures cost, and how far they are from 16 rays a pixel.
+#include "commands.h"
+#include "frame_stage.h"
+#include "image_size.h"
+#include "means.h"
+#include "timing.h"
+
+#include "gltf/import.h"
+#include "image_file.h"
+#include "plugin.h"
+#include "support/flip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace peregrine::bench {
+namespace {
+
+constexpr uint32_t kErrorTile = 32; // pixels, of the tiles of which the worst is told
+constexpr uint32_t kSamples = 4;    // a side, of the truth
+
+struct Setting {
+    const char* name;
+    uint32_t edge_samples;
+    float edge_budget;
+    float scale;
+    bool bilinear = false; // by us, for comparison
+};
+constexpr Setting kSettings[] = {
+    {"one ray", 1, 0, 1},
+    {"edges 4", 4, 0, 1},
+    {"edges 4, budget", 4, 0.2f, 1},
+    {"edges 8", 8, 0, 1},
+    {"edges 8, budget", 8, 0.5f, 1},
+    {"edges 16", 16, 0, 1},
+    {"size 3/4", 1, 0, 0.75f},
+    {"size 3/4, bilinear", 1, 0, 0.75f, true},
+    {"size 1/2", 1, 0, 0.5f},
+    {"size 1/2, bilinear", 1, 0, 0.5f, true},
+    {"size 1/2, edges 4", 4, 0, 0.5f},
+};
+
+double to_linear(uint8_t code) {
+    const double x = code / 255.0;
+    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+uint8_t to_code(double x) {
+    const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+    return uint8_t(encoded * 255.0 + 0.5);
+}
+
+using Pixels = std::vector<uint8_t>;
+
+struct Image {
+    ImageSize size;
+    Pixels pixels;
+};
+
+// Means of squares of pixels, of light as the display gives it.
+Image shrink(const Image& large, uint32_t by) {
+    double linear[256];
+    for (int code = 0; code < 256; ++code) linear[code] = to_linear(uint8_t(code));
+    Image small{{large.size.width / by, large.size.height / by}, {}};
+    small.pixels.resize(small.size.pixels() * 4, 255);
+    for (size_t i = 0; i < small.size.pixels(); ++i)
+        for (size_t c = 0; c < 3; ++c) {
+            const size_t x = i % small.size.width * by, y = i / small.size.width * by;
+            double sum = 0;
+            for (uint32_t k = 0; k < by * by; ++k)
+                sum += linear[large.pixels[((y + k / by) * large.size.width + x + k % by) * 4 + c]];
+            small.pixels[i * 4 + c] = to_code(sum / (by * by));
+        }
+    return small;
+}
+
+// As a graphics card does.
+Image enlarge_bilinearly(const Image& small, const ImageSize& size) {
+    Image large{size, Pixels(size.pixels() * 4, 255)};
+    const auto at = [&](int x, int y, uint32_t c) {
+        const int cx = std::clamp(x, 0, int(small.size.width) - 1);
+        const int cy = std::clamp(y, 0, int(small.size.height) - 1);
+        return double(small.pixels[(size_t(cy) * small.size.width + size_t(cx)) * 4 + c]);
+    };
+    for (uint32_t y = 0; y < size.height; ++y)
+        for (uint32_t x = 0; x < size.width; ++x) {
+            const double sx = (x + 0.5) * small.size.width / size.width - 0.5;
+            const double sy = (y + 0.5) * small.size.height / size.height - 0.5;
+            const int ix = int(std::floor(sx)), iy = int(std::floor(sy));
+            const double fx = sx - ix, fy = sy - iy;
+            for (uint32_t c = 0; c < 3; ++c) {
+                const double upper = at(ix, iy, c) * (1 - fx) + at(ix + 1, iy, c) * fx;
+                const double lower = at(ix, iy + 1, c) * (1 - fx) + at(ix + 1, iy + 1, c) * fx;
+                large.pixels[(size_t(y) * size.width + x) * 4 + c] =
+                    uint8_t(upper * (1 - fy) + lower * fy + 0.5);
+            }
+        }
+    return large;
+}
+
+struct Price {
+    double ms = 0, edge_rays = 0, flip_mean = 0, flip_worst_tile = 0;
+};
+
+class Pricing {
+public:
+    Pricing(const Options& options, const rt_api& api, const std::string& file)
+        : options_(options), name_(std::filesystem::path(file).stem().string()),
+          level_(host::gltf::import_file(file)), views_(standing_cameras(level_)),
+          size_(parse_image_size(options.frame_size)),
+          stage_(api, level_, options.threads, RT_LIGHT_PROOFS_KEPT) {}
+
+    nlohmann::json run() {
+        std::vector<Price> sums(std::size(kSettings));
+        for (size_t view = 0; view < views_.size(); ++view) {
+            const Image truth = shrink(render({"", 1, 0, float(kSamples)}, view).image, kSamples);
+            write("truth", view, truth);
+            for (size_t i = 0; i < sums.size(); ++i) add(kSettings[i], view, truth, sums[i]);
+        }
+        nlohmann::json rows = nlohmann::json::array();
+        for (size_t i = 0; i < sums.size(); ++i) rows.push_back(row_of(kSettings[i], sums[i]));
+        return rows;
+    }
+
+private:
+    struct Result {
+        Image image;
+        double ms, edge_rays;
+    };
+
+    // A scale above 1 is a larger frame.
+    Result render(const Setting& setting, size_t view) const {
+        const auto scaled = [&](uint32_t side) {
+            return std::max(1u, uint32_t(float(side) * setting.scale + 0.5f));
+        };
+        const ImageSize traced = {scaled(size_.width), scaled(size_.height)};
+        const ImageSize whole = setting.bilinear || setting.scale > 1 ? traced : size_;
+        FrameMemory memory(whole.width, whole.height);
+        rt_frame_desc frame = memory.frame(Look::exact);
+        frame.edge_samples = setting.edge_samples;
+        frame.edge_budget = setting.edge_budget;
+        frame.render_width = traced.width;
+        frame.render_height = traced.height;
+        std::vector<double> ms;
+        RenderedFrame rendered;
+        for (uint32_t pass = 0; pass < (setting.scale > 1 ? 1 : options_.passes); ++pass) {
+            rendered = stage_.render(frame, views_[view]);
+            ms.push_back(
+                1e3 * (options_.threads == 1 ? rendered.seconds.processor : rendered.seconds.wall));
+        }
+        Image image{whole, std::move(memory.pixels)};
+        if (setting.bilinear) image = enlarge_bilinearly(image, size_);
+        return {std::move(image), median(ms), double(rendered.stats.rays_edge)};
+    }
+
+    void add(const Setting& setting, size_t view, const Image& truth, Price& sum) const {
+        const Result result = render(setting, view);
+        write(setting.name, view, result.image);
+        const test::FlipMap error =
+            test::flip(truth.pixels.data(), result.image.pixels.data(), size_.width, size_.height);
+        const auto views = double(views_.size());
+        sum.ms += result.ms / views;
+        sum.edge_rays += result.edge_rays / views;
+        sum.flip_mean += error.mean() / views;
+        sum.flip_worst_tile = std::max(sum.flip_worst_tile, error.worst_tile(kErrorTile));
+    }
+
+    void write(std::string name, size_t view, const Image& image) const {
+        if (options_.pictures.empty()) return;
+        std::replace_if(
+            name.begin(), name.end(), [](char c) { return c == '/' || c == ' ' || c == ','; }, '_');
+        const std::string file = name_ + "_" + std::to_string(view) + "_" + name + ".png";
+        host::write_picture_file(std::filesystem::path(options_.pictures) / file, image.size.width,
+                                 image.size.height, image.pixels);
+    }
+
+    nlohmann::json row_of(const Setting& setting, const Price& price) const {
+        std::printf("%-16s %-19s %8.1f %10.0f %8.4f %8.3f\n", name_.c_str(), setting.name, price.ms,
+                    price.edge_rays, price.flip_mean, price.flip_worst_tile);
+        return {{"scene", name_},
+                {"setting", setting.name},
+                {"size", size_.text()},
+                {"threads", options_.threads},
+                {"frame_ms", price.ms},
+                {"rays_edge", price.edge_rays},
+                {"flip_mean", price.flip_mean},
+                {"flip_worst_tile", price.flip_worst_tile}};
+    }
+
+    const Options& options_;
+    std::string name_;
+    host::Level level_;
+    std::vector<host::Viewpoint> views_;
+    ImageSize size_;
+    FrameStage stage_;
+};
+
+} // namespace
+
+std::string run_prices(const Options& options) {
+    const host::Plugin plugin(options.library);
+    std::printf("%s a frame, mean of the scene's cameras; FLIP against %u rays a pixel\n"
+                "%-16s %-19s %8s %10s %8s %8s\n",
+                options.threads == 1 ? "processor time" : "wall time", kSamples * kSamples, "scene",
+                "setting", "ms", "edge rays", "flip", "tile");
+    nlohmann::json rows = nlohmann::json::array();
+    for (const std::string& file : options.scenes)
+        for (nlohmann::json& row : Pricing(options, plugin.api(), file).run())
+            rows.push_back(std::move(row));
+    return rows.dump();
+}
+
+} // namespace peregrine::bench
