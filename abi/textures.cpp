@@ -1,6 +1,7 @@
 #include "check.h"
 #include "guard.h"
 #include "read_struct.h"
+#include "scene/texture_levels.h"
 #include "scene_table.h"
 #include "srgb_table.h"
 
@@ -84,8 +85,7 @@ void fill(scene::Texture& texture, const rt_texture_desc& desc, uint64_t stride)
     texture.wrap_u = scene::Wrap(desc.wrap_u);
     texture.wrap_v = scene::Wrap(desc.wrap_v);
     texture.sampling = scene::Sampling(desc.filter);
-    texture.texels.resize(uint64_t(desc.width) * desc.height
-                          * (is_float ? sizeof(TexelFloat) : sizeof(Texel16)));
+    scene::lay_out_levels(texture);
     std::byte* out = texture.texels.data();
     const auto narrow = [&](Texel16 (*convert)(const Texel8&)) {
         copy_texels<Texel8>(desc, stride, out, [convert](const Texel8& in, uint32_t, uint32_t) {
@@ -109,6 +109,7 @@ rt_texture add(scene::Scene& scene, const rt_texture_desc& desc) {
     using Allocator = std::pmr::polymorphic_allocator<scene::Texture>;
     auto texture = std::allocate_shared<scene::Texture>(Allocator(&scene.memory), &scene.memory);
     fill(*texture, desc, stride);
+    scene::fill_levels(*texture);
     const base::Handle handle = scene.textures.insert(std::move(texture));
     scene.touch_materials();
     return to_host<rt_texture>(handle);

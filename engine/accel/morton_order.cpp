@@ -22,6 +22,25 @@ Ints spread(Ints x) {
     return (x | x << 2) & 0x09249249;
 }
 
+// A cube around points, in cells.
+class Curve {
+public:
+    Curve(const Bounds& bounds, uint32_t bits_an_axis)
+        : origin_(bounds.lower), scale_(float(1u << bits_an_axis) * scale_of(bounds)),
+          last_(float((1u << bits_an_axis) - 1)) {}
+
+    uint32_t place(const Floats& point) const {
+        const Floats last = {last_, last_, last_, 0};
+        const Ints bits =
+            spread(__builtin_convertvector(min((point - origin_) * scale_, last), Ints));
+        return uint32_t(bits[0] | bits[1] << 1 | bits[2] << 2);
+    }
+
+private:
+    Floats origin_;
+    float scale_, last_;
+};
+
 class Sorter {
 public:
     Sorter(uint32_t count, base::Scheduler& scheduler, base::Memory* memory)
@@ -90,15 +109,20 @@ Buffer<MortonKey> sort_along_morton_curve(std::span<const geometry::Triangle> tr
                                           const Bounds& centers, uint32_t bits_an_axis,
                                           base::Scheduler& scheduler, base::Memory* memory) {
     Sorter sorter(uint32_t(triangles.size()), scheduler, memory);
-    const float cells = float(1u << bits_an_axis); // along an axis
-    const float scale = cells * scale_of(centers);
-    const Floats last = {cells - 1, cells - 1, cells - 1, 0};
+    const Curve curve(centers, bits_an_axis);
     sorter.fill([&](uint32_t i) {
         const Bounds box = bounds_of(triangles[i]);
-        const Floats at = min((box.lower + box.upper - centers.lower) * scale, last);
-        const Ints bits = spread(__builtin_convertvector(at, Ints));
-        return uint32_t(bits[0] | bits[1] << 1 | bits[2] << 2);
+        return curve.place(box.lower + box.upper);
     });
+    return sorter.sort(3 * bits_an_axis);
+}
+
+Buffer<MortonKey> sort_along_morton_curve(std::span<const math::Vec3> points,
+                                          const math::Box& bounds, uint32_t bits_an_axis,
+                                          base::Scheduler& scheduler, base::Memory* memory) {
+    Sorter sorter(uint32_t(points.size()), scheduler, memory);
+    const Curve curve({load(bounds.lower), load(bounds.upper)}, bits_an_axis);
+    sorter.fill([&](uint32_t i) { return curve.place(load(points[i])); });
     return sorter.sort(3 * bits_an_axis);
 }
 

@@ -35,7 +35,8 @@ public:
     Handle insert(T object) {
         if (free_.empty()) {
             if (slots_.size() >= 0xfffffffeu) fail(Code::limit, "too many objects");
-            free_.reserve(slots_.size() + 1); // so that erase never allocates
+            if (free_.capacity() == slots_.size()) // so that erase never allocates
+                free_.reserve(2 * slots_.size() + 1);
             slots_.push_back({first_generation_, std::nullopt});
             free_.push_back(uint32_t(slots_.size() - 1));
         }

@@ -23,6 +23,7 @@ struct Pinhole {
     math::Vec3 corner; // direction through the image's top left corner
     math::Vec3 right;  // by one pixel
     math::Vec3 down;
+    float pixel_width; // at t = 1
 
     Pinhole(const Camera& camera, uint32_t width, uint32_t height) {
         using math::Vec3d;
@@ -33,6 +34,7 @@ struct Pinhole {
         origin = math::Vec3(camera.position);
         right = math::Vec3(side * pixel);
         down = math::Vec3(-up * pixel);
+        pixel_width = float(pixel);
         corner = math::Vec3(forward - side * (pixel * 0.5 * double(width))
                             + up * (pixel * 0.5 * double(height)));
     }

@@ -5,6 +5,7 @@
 #include "render/post/tones.h"
 #include "render/primary_rays.h"
 #include "render/shading.h"
+#include "render/unseen_light.h"
 #include "render/views.h"
 #include "scene/alpha_test.h"
 
@@ -38,20 +39,24 @@ math::Vec3d shading_origin(const scene::Snapshot& snapshot, const math::Vec3d& e
     return is_far && !snapshot.placements.empty() ? eye : math::Vec3d(0);
 }
 
+// The snapshot's lights relative to the origin; in `room` if that is not the snapshot's.
+std::span<const shade::PreparedLight> lights_from(const scene::LightSet& set,
+                                                  const math::Vec3d& origin,
+                                                  base::Vector<shade::PreparedLight>& room) {
+    if (origin == math::Vec3d(0)) return set.prepared;
+    room = set.prepared;
+    for (size_t i = 0; i < room.size(); ++i)
+        room[i].position = math::Vec3(set.lights[i].position - origin);
+    return room;
+}
+
 shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
-                          base::Vector<shade::PreparedLight>& lights) {
+                          base::Vector<shade::PreparedLight>& room) {
     const math::Vec3d origin = shading_origin(snapshot, camera.position);
-    if (frame.pixels) {
-        lights.reserve(snapshot.lights.size());
-        for (const scene::Light& light : snapshot.lights)
-            lights.push_back(shade::prepare(light, snapshot.world.bounds, origin));
-    }
-    const shade::Shader shader(snapshot, features_seen(snapshot, frame), frame.shadows, lights,
-                               origin);
-    if (shader.proofs_hold())
-        for (size_t i = 0; i < std::min(lights.size(), snapshot.light_views.size()); ++i)
-            lights[i].visibility = snapshot.light_views[i].get();
-    return shader;
+    std::span<const shade::PreparedLight> lights;
+    if (frame.pixels) lights = lights_from(*snapshot.lights, origin, room);
+    return shade::Shader(snapshot, features_seen(snapshot, frame), frame.shadows, lights, origin,
+                         unseen_light(snapshot, frame));
 }
 
 Stage stage_of(const Frame& frame) {
@@ -72,10 +77,10 @@ Stage stage_of(const Frame& frame) {
 } // namespace
 
 Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& frame_,
-           base::Vector<shade::PreparedLight>& lights)
+           base::Vector<shade::PreparedLight>& moved_lights)
     : snapshot(snapshot_), frame(frame_), pinhole(camera, frame_.width, frame_.height),
       eye(camera.position), filter(primary_filter(snapshot_)),
-      shader(make_shader(snapshot_, camera, frame_, lights)),
+      shader(make_shader(snapshot_, camera, frame_, moved_lights)),
       block_light(shader, snapshot_.environment, frame_.approximations.light_tolerance,
                   glm::length(pinhole.right), kUnseen / frame_.exposure) {
     if (frame.wants_planes()) add(fetch_planes);

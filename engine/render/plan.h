@@ -28,9 +28,9 @@ struct Plan {
     shade::Shader shader;
     shade::BlockLight block_light; // of frames with light in blocks
 
-    // All must outlive the plan; `lights` is filled with those of the snapshot.
+    // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
     Plan(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
-         base::Vector<shade::PreparedLight>& lights);
+         base::Vector<shade::PreparedLight>& moved_lights);
 
     std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 

@@ -57,6 +57,8 @@ void make_rays(const Pinhole& pinhole, TileBuffers& buffers) {
 void begin_primary_rays(const Plan& plan, TileBuffers& buffers) {
     for (int k = 0; k < 3; ++k) std::fill_n(buffers.origin[k], kTilePadded, plan.pinhole.origin[k]);
     std::fill_n(buffers.t_max, kTilePadded, std::numeric_limits<float>::infinity());
+    const bool by_footprint = plan.frame.approximations.texture_filter == TextureFilter::mipmaps;
+    buffers.footprint = by_footprint ? plan.pinhole.pixel_width : 0;
 }
 
 void trace_primary_rays(const Plan& plan, TileBuffers& buffers) {

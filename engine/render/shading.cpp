@@ -63,7 +63,8 @@ void find_light(const Plan& plan, TileBuffers& buffers) {
                            buffers.v,
                            buffers.triangle,
                            buffers.back_face,
-                           buffers.tile.count},
+                           buffers.tile.count,
+                           buffers.footprint},
                           light, buffers.scratch);
 }
 

@@ -27,6 +27,8 @@ struct alignas(64) TileBuffers {
     alignas(64) uint32_t triangle_id[kTileRays]; // as the host knows them
     alignas(64) base::Handle mesh_id[kTileRays];
 
+    float footprint; // see RayHits
+
     TileColors colors; // radiance, then display values
     shade::Scratch scratch;
     shade::TileLight light;
@@ -54,7 +56,9 @@ private:
                 v + first,
                 triangle + first,
                 back_face + first,
-                std::min(tile.count - first, shade::kBatch)};
+                t + first,
+                std::min(tile.count - first, shade::kBatch),
+                footprint};
     }
 };
 

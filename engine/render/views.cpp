@@ -54,7 +54,7 @@ void show_light(const Plan& plan, TileBuffers& buffers) {
     const shade::TileLight& light = buffers.light;
     for (uint32_t i = 0; i < buffers.tile.count; ++i) {
         const bool seen = buffers.triangle[i] != geometry::kNoTriangle;
-        const uint32_t how = !light.found[i] ? 2 : light.marks[i].traced ? 0 : 1;
+        const uint32_t how = !light.found[i] ? 2 : light.traced[i] ? 0 : 1;
         for (uint32_t k = 0; k < 3; ++k)
             buffers.colors.channel[k][i] = seen && k == how ? 1.0f : 0.0f;
     }

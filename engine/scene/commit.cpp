@@ -59,13 +59,24 @@ void Commit::show_meshes() {
 }
 
 void Commit::show_lights() {
+    lights_.reserve(scene_.lights.count());
     for (const auto& slot : scene_.lights.slots())
         if (slot.object) {
-            snapshot_.lights.push_back(*slot.object);
-            snapshot_.lights.back().position -= scene_.origin();
+            lights_.push_back(*slot.object);
+            lights_.back().position -= scene_.origin();
             snapshot_.features |= features_of(*slot.object);
         }
     snapshot_.environment = scene_.environment;
+}
+
+// With the last snapshot, if they are the same.
+void Commit::share_lights() {
+    const math::Box& bounds = snapshot_.world.bounds;
+    if (scene_.light_set_ && scene_.light_set_->is_of(lights_, light_views_, bounds))
+        snapshot_.lights = scene_.light_set_;
+    else
+        snapshot_.lights = make_light_set(std::move(lights_), std::move(light_views_), bounds,
+                                          scene_.scheduler, &scene_.recycled);
 }
 
 trace::Part Commit::part_of(const Geometry& geometry, uint64_t first) const {
@@ -159,6 +170,7 @@ void Commit::prepare() {
     place_instances();
     find_bounds();
     prove_lights();
+    share_lights();
     if (options_.progress.cancels(1.0f))
         base::fail(base::Code::cancelled, "the commit was cancelled by its progress callback");
 }
@@ -168,6 +180,7 @@ void Commit::remember() noexcept {
     scene_.fixed_build_ = options_.build.relevant();
     scene_.fixed_changed_ = false;
     scene_.views_.swap(views_);
+    scene_.light_set_ = snapshot_.lights;
     ++scene_.version_;
 }
 

@@ -10,7 +10,8 @@ class Commit {
 public:
     Commit(Scene& scene, const CommitOptions& options, Snapshot& snapshot)
         : scene_(scene), options_(options), snapshot_(snapshot), number_(++scene.commits_begun_),
-          views_(&scene.recycled), number_of_light_(&scene.recycled) {}
+          lights_(&scene.recycled), light_views_(&scene.recycled), views_(&scene.recycled),
+          number_of_light_(&scene.recycled) {}
 
     void prepare();           // may fail
     void remember() noexcept; // what was built is the scene's
@@ -50,6 +51,7 @@ private:
     AllCorners fixed_corners() const;
     LightNumbers keep_proofs();
     void prove_lights();
+    void share_lights();
 
     void count(const MeshDescription& mesh, CommitReport& report) const;
     void count(const Geometry& shape, MeshKind kind, CommitReport& report) const;
@@ -63,6 +65,8 @@ private:
     uint32_t moving_ = 0;      // meshes, hidden ones as well
     uint32_t rigid_count_ = 0; // instances
     bool deforming_built_ = false;
+    base::Vector<Light> lights_;
+    LightViews light_views_;        // beside them, as in LightSet
     base::Vector<LightView> views_; // by slot of the light
     LightNumbers number_of_light_;  // by slot: in the snapshot
     ProofReport proof_report_;

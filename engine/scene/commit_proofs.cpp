@@ -45,7 +45,7 @@ Commit::LightNumbers Commit::keep_proofs() {
     const bool is_new_geometry = snapshot_.fixed != scene_.fixed_;
     for (uint32_t i = 0; i < slots.size(); ++i) {
         if (!slots[i].object) continue;
-        const Light& light = snapshot_.lights[number_of_light_[i]];
+        const Light& light = lights_[number_of_light_[i]];
         const visibility::Lamp lamp = lamp_of(light);
         const LightView none;
         const LightView& last = i < scene_.views_.size() ? scene_.views_[i] : none;
@@ -108,9 +108,9 @@ void Commit::prove_lights() {
         ++proof_report_.lights;
     }
     if (proof_report_.lights > 0) {
-        snapshot_.light_views.resize(snapshot_.lights.size());
+        light_views_.resize(lights_.size());
         for (uint32_t i = 0; i < views_.size(); ++i)
-            if (views_[i].view) snapshot_.light_views[number_of_light_[i]] = views_[i].view;
+            if (views_[i].view) light_views_[number_of_light_[i]] = views_[i].view;
     }
     proof_report_.ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

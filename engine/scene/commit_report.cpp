@@ -30,7 +30,7 @@ CommitReport Commit::report() {
     report.features = snapshot_.features;
     report.bytes_textures = texture_bytes(*snapshot_.material_set);
     report.instance_count = rigid_count_;
-    report.light_count = uint32_t(snapshot_.lights.size());
+    report.light_count = uint32_t(snapshot_.lights->lights.size());
     report.fixed_rebuilt = snapshot_.fixed != scene_.fixed_;
     report.deforming_rebuilt = deforming_built_;
     report.proofs = proof_report_;

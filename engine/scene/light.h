@@ -8,7 +8,7 @@ namespace peregrine::scene {
 
 enum class LightType : uint32_t { point = 0, spot = 1, directional = 2 };
 
-// Of points and spots, see shade/light/falloff.h. The values are those of RT_FALLOFF_*.
+// Of points and spots, see scene/lights/falloff.h. The values are those of RT_FALLOFF_*.
 enum class Falloff : uint32_t {
     schlick_linear = 0,
     linear = 1,
@@ -28,6 +28,8 @@ struct Light {
     float cone_inner_cos = 1;
     float cone_outer_cos = 0.70710678f;
     bool casts_shadow = true;
+
+    bool operator==(const Light&) const = default;
 };
 
 struct Environment {

@@ -9,6 +9,7 @@
 #include "base/slot_map.h"
 #include "scene/light.h"
 #include "scene/light_view.h"
+#include "scene/lights/light_set.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/snapshot.h"
@@ -170,8 +171,9 @@ private:
     uint64_t flags_version_ = 1;
     uint64_t version_ = 0;
     uint64_t commits_begun_ = 0;
-    base::Vector<LightView> views_; // by slot of the light: what was proved of it
-    Extents extents_;               // room for commits to work in
+    base::Vector<LightView> views_;             // by slot of the light: what was proved of it
+    std::shared_ptr<const LightSet> light_set_; // of the last commit
+    Extents extents_;                           // room for commits to work in
     base::Vector<accel::instances::Place> places_;
 };
 

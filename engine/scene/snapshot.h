@@ -4,10 +4,10 @@
 #include "scene/features.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
+#include "scene/lights/light_set.h"
 #include "scene/material_set.h"
 #include "scene/mesh.h"
 #include "scene/placement.h"
-#include "trace/visibility/point_visibility.h"
 #include "trace/world/world.h"
 
 #include <atomic>
@@ -39,9 +39,9 @@ struct Snapshot {
     };
 
     explicit Snapshot(base::Memory* memory)
-        : meshes(memory), layer_masks(memory), generations(memory), lights(memory),
-          light_views(memory), placements(memory), instances(memory), instance_nodes(memory),
-          instance_rests(memory), instance_alphas(memory) {}
+        : meshes(memory), layer_masks(memory), generations(memory), placements(memory),
+          instances(memory), instance_nodes(memory), instance_rests(memory),
+          instance_alphas(memory) {}
 
     const Material& material_of(const Mesh& mesh, uint32_t primitive) const {
         return material_set->materials[mesh.materials->of(primitive)];
@@ -54,14 +54,11 @@ struct Snapshot {
 
     std::shared_ptr<const Geometry> fixed; // of all fixed meshes
     std::shared_ptr<const MaterialSet> material_set;
+    std::shared_ptr<const LightSet> lights;
     trace::World world;                 // into these and the shapes of the meshes
     base::Vector<Mesh> meshes;          // by slot
     base::Vector<uint32_t> layer_masks; // by slot, for the kernels
     base::Vector<uint32_t> generations; // by slot, for hits
-    base::Vector<Light> lights;
-    // Beside `lights`, what was proved of their ways to the fixed triangles; null: nothing. Empty
-    // if nothing was proved at all.
-    base::Vector<std::shared_ptr<const trace::visibility::PointVisibility>> light_views;
     base::Vector<Placement> placements;
     base::Vector<trace::Instance> instances; // of meshes that move and are not hidden
     base::Vector<accel::instances::Node> instance_nodes;

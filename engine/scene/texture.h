@@ -3,6 +3,8 @@
 #include "base/memory.h"
 #include "math/vec.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace peregrine::scene {
@@ -14,6 +16,7 @@ enum class Sampling : uint32_t { bilinear = 0, nearest = 1 };
 // (65535 = 1: an 8-bit sRGB step is at least 20 of its steps) or 4 x float.
 struct Texture {
     enum class Storage : uint32_t { unorm16, float32 };
+    static constexpr uint32_t kMostLevels = 16; // of 32768 texels
 
     explicit Texture(base::Memory* memory) : texels(memory) {}
 
@@ -23,7 +26,17 @@ struct Texture {
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
     Sampling sampling = Sampling::bilinear;
-    base::Vector<std::byte> texels; // 8 or 16 bytes each, rows tightly packed
+
+    // Level 0 is the image; each further one, down to one texel, is half as wide and high, rounded
+    // down (texture_levels.h).
+    uint32_t level_count = 1;
+    std::array<uint32_t, kMostLevels> level_first{}; // texel of each
+
+    base::Vector<std::byte> texels; // 8 or 16 bytes each; levels and their rows tightly packed
+
+    size_t texel_size() const { return storage == Storage::unorm16 ? 8 : 16; }
+    uint32_t level_width(uint32_t level) const { return std::max(width >> level, 1u); }
+    uint32_t level_height(uint32_t level) const { return std::max(height >> level, 1u); }
 };
 
 } // namespace peregrine::scene

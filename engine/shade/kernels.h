@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/isa.h"
+#include "scene/lights/prepared_light.h"
 #include "scene/snapshot.h"
 #include "shade/light/illumination.h"
-#include "shade/light/prepared_light.h"
 #include "shade/material/program.h"
 #include "shade/surface/ray_hits.h"
 #include "shade/surface/space.h"
@@ -13,6 +13,8 @@
 #include <cstdint>
 
 namespace peregrine::shade {
+
+using scene::PreparedLight;
 
 // What is known of the way from a point to a light. The first ones are trace::visibility::State.
 enum class PointState : uint32_t {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shade/light/illumination.h"
+#include "shade/light/light_lists.h"
 #include "shade/light/shadow_memory.h"
 #include "shade/surface/surface.h"
 
@@ -12,6 +13,7 @@ struct alignas(64) Scratch {
     Illumination light;
     LightWeights weights;
     ShadowMemory shadow;
+    LightLists lists;
 };
 
 } // namespace peregrine::shade

@@ -1,29 +1,20 @@
 #include "shade/shader.h"
 
-#include <algorithm>
-
 namespace peregrine::shade {
-namespace {
-
-float largest_radius(std::span<const PreparedLight> lights) {
-    float radius = 0;
-    for (const PreparedLight& light : lights)
-        if (light.from_light) radius = std::max(radius, light.radius);
-    return radius;
-}
-
-} // namespace
-
 Shader::Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
-               std::span<const PreparedLight> lights, const math::Vec3d& origin)
+               std::span<const PreparedLight> lights, const math::Vec3d& origin, float unseen)
     : snapshot_(&snapshot), kernels_(&shade::kernels(snapshot.isa())),
-      space_(snapshot.world, origin, largest_radius(lights)), features_(features),
-      program_(program_for(features)), lighting_(snapshot, lights, space_, program_, shadows) {}
+      space_(snapshot.world, origin, lights.empty() ? 0 : snapshot.lights->largest_radius),
+      features_(features), program_(program_for(features)),
+      lighting_(snapshot, lights, space_, program_, shadows, unseen) {}
 
 void Shader::find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const {
-    const uint32_t features =
-        part == SurfacePart::smooth ? features_ & ~uint32_t(scene::kNormalMaps) : features_;
-    kernels_->find_surfaces[uint32_t(part)](*snapshot_, features, space_, hits, scratch.surface);
+    uint32_t unasked = 0; // textures that this part does not sample
+    if (part != SurfacePart::all && part != SurfacePart::geometry) unasked |= scene::kNormalMaps;
+    if (part != SurfacePart::all && part != SurfacePart::colors)
+        unasked |= scene::kTextures | scene::kEmissive;
+    kernels_->find_surfaces[uint32_t(part)](*snapshot_, features_ & ~unasked, space_, hits,
+                                            scratch.surface);
 }
 
 void Shader::find_radiance(const RayHits& hits, float* const radiance[3],

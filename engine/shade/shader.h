@@ -14,9 +14,9 @@ namespace peregrine::shade {
 class Shader {
 public:
     // `features` (scene::Feature bits): what to look at; may be fewer than the snapshot has.
-    // `lights` must outlive the result; they and surfaces are relative to `origin`.
+    // `lights`, `origin`, `unseen`: as of LightChoice; surfaces are relative to `origin`, too.
     Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
-           std::span<const PreparedLight> lights, const math::Vec3d& origin);
+           std::span<const PreparedLight> lights, const math::Vec3d& origin, float unseen);
 
     // Fills scratch.surface.
     void find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const;
@@ -32,12 +32,7 @@ public:
     // All of it: radiance of at most kBatch rays.
     void shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const;
 
-    // Whether what was proved of lights is true of this frame's surfaces
-    // (trace/visibility/shaft.h).
-    bool proofs_hold() const {
-        return !space_.is_elsewhere && space_.fixed_reach <= 2 * space_.fixed_size;
-    }
-
+    const LightChoice& light_choice() const { return lighting_.choice(); }
     const Kernels& kernels() const { return *kernels_; }
     Program program() const { return program_; }
 

@@ -3,6 +3,7 @@
 #include "host_memory.h"
 #include "support.h"
 
+#include <algorithm>
 #include <cmath>
 #include <condition_variable>
 #include <thread>
@@ -199,6 +200,36 @@ TEST(SteadyState, RigidMovesAllocateNothing) {
         EXPECT_EQ(report.instance_count, kCrates);
     }
     expect_nothing_allocated(before, world.stats());
+}
+
+// ... nor do lamps that move, however long; and no commit takes longer for those before it.
+TEST(SteadyState, MovedLampsAllocateNothing) {
+    constexpr uint32_t kLamps = 100, kCommits = 10'000;
+    MovingWorld world;
+    std::vector<rt_light> lamps(kLamps);
+    rt_light_desc lamp = rt_default_light_desc();
+    for (uint32_t i = 0; i < kLamps; ++i) {
+        lamp.position[0] = i;
+        ASSERT_OK(rt_add_light(world.scene(), &lamp, &lamps[i]));
+    }
+    const auto move = [&](uint32_t step) {
+        lamp.position[0] = step % kLamps + 0.001 * step;
+        EXPECT_OK(rt_update_light(world.scene(), lamps[step % kLamps], &lamp));
+        rt_commit_report report = rt_default_commit_report();
+        EXPECT_OK(rt_commit_scene(world.scene(), nullptr, &report));
+        return report.commit_ms;
+    };
+    for (uint32_t step = 0; step < 4; ++step) move(step);
+    const rt_scene_stats before = world.stats();
+    std::vector<double> ms;
+    for (uint32_t step = 4; step < kCommits; ++step) ms.push_back(move(step));
+    expect_nothing_allocated(before, world.stats());
+    EXPECT_EQ(world.stats().snapshots_alive, 1u);
+    const auto median = [](auto begin, auto end) {
+        std::nth_element(begin, begin + (end - begin) / 2, end);
+        return *(begin + (end - begin) / 2);
+    };
+    EXPECT_LT(median(ms.end() - 1000, ms.end()), 10 * median(ms.begin(), ms.begin() + 1000));
 }
 
 // What a large mesh needed is not kept for small ones.

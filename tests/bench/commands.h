@@ -15,6 +15,7 @@ struct Options {
     uint32_t size = 1024;
     std::string frame_size = "1024x1024";
     std::vector<std::string> looks; // of frames
+    float least_light = 0;          // steps of the display
     uint32_t first_passes = 3;      // of passes, how many measure first frames as well
     std::vector<std::string> rays;  // letters of trace_rays.h
     std::vector<std::string> modes; // of ours; none: all
@@ -41,6 +42,7 @@ std::string run_moving(const Options& options);
 std::string run_grenade(const Options& options);
 std::string run_falloff(const Options& options);
 std::string run_kernels(const Options& options);
+std::string run_lamps(const Options& options);
 std::string run_queries(const Options& options);
 
 std::vector<std::string> query_item_names();

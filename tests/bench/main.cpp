@@ -98,6 +98,11 @@ void add_trace_options(CLI::App& trace, Options& options) {
         ->check(CLI::Range(16, 4096));
 }
 
+void add_size_option(CLI::App& command, Options& options) {
+    command.add_option("--size", options.frame_size, "Width and height, as 1280x720")
+        ->capture_default_str();
+}
+
 void add_frame_options(CLI::App& frame, Options& options) {
     options.looks.assign(std::begin(peregrine::test::kLookNames),
                          std::end(peregrine::test::kLookNames));
@@ -113,8 +118,6 @@ void add_frame_options(CLI::App& frame, Options& options) {
                     "AVX-512)")
         ->delimiter(',')
         ->check(CLI::IsMember({"embree", "embree-avx2"}));
-    frame.add_option("--size", options.frame_size, "Width and height, as 1280x720")
-        ->capture_default_str();
     frame
         .add_option(
             "--first-passes", options.first_passes,
@@ -158,11 +161,12 @@ int run(int argc, char** argv) {
         app.add_subcommand("queries", "gameplay's queries: speed and accuracy, on one thread");
     CLI::App* grenade = app.add_subcommand("grenade", "how far a game's time step changes a throw");
     CLI::App* falloff = app.add_subcommand("falloff", "fall-offs of lamps: error and time");
+    CLI::App* lamps = app.add_subcommand("lamps", "few and many lamps over a level");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
     for (CLI::App* command : {falloff, kernels}) add_output_options(*command, options);
-    for (CLI::App* command : {build, frame, door, trace, moving, queries, grenade})
+    for (CLI::App* command : {build, frame, door, trace, moving, queries, grenade, lamps})
         add_options(*command, options);
-    for (CLI::App* command : {build, frame, door, trace, moving, grenade})
+    for (CLI::App* command : {build, frame, door, trace, moving, grenade, lamps})
         add_threads_option(*command, options);
     add_trace_options(*trace, options);
     add_query_options(*queries, options);
@@ -176,7 +180,13 @@ int run(int argc, char** argv) {
                      "SAH cost of a split that cuts off empty space: times 1 - this")
         ->check(CLI::Range(0.0, 1.0));
     add_frame_options(*frame, options);
-    for (CLI::App* command : {frame, door, trace, moving, queries, grenade, falloff})
+    for (CLI::App* command : {frame, lamps}) add_size_option(*command, options);
+    lamps
+        ->add_option("--least-light", options.least_light,
+                     "Lamps that give a place less are left out: steps of the display")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1000.0));
+    for (CLI::App* command : {frame, door, trace, moving, queries, grenade, falloff, lamps})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
@@ -189,6 +199,7 @@ int run(int argc, char** argv) {
                              : *grenade ? peregrine::bench::run_grenade(options)
                              : *falloff ? peregrine::bench::run_falloff(options)
                              : *kernels ? peregrine::bench::run_kernels(options)
+                             : *lamps   ? peregrine::bench::run_lamps(options)
                              : *queries ? peregrine::bench::run_queries(options)
                                         : peregrine::bench::run_door(options);
     if (!options.json.empty()) write_json(options, rows);

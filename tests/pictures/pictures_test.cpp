@@ -160,6 +160,15 @@ TEST_P(Pictures, Features) {
     expect("features_float", scene.camera(), frame);
 }
 
+TEST_P(Pictures, Mipmaps) {
+    FeatureScene scene(*stage_, {});
+    commit();
+    rt_frame_desc frame = frame_of(121, 68);
+    frame.texture_filter = RT_TEXTURE_MIPMAPS;
+    expect("mipmaps", scene.camera(), frame);
+    expect("mipmaps_side", scene.camera_from_the_side(), frame);
+}
+
 TEST_P(Pictures, Views) {
     const FeatureScene scene(*stage_, {});
     commit();
@@ -228,6 +237,9 @@ TEST_P(Pictures, Hall) {
     };
     expect("hall", camera("cam_hero"), frame_of(240, 135));
     if (!GetParam().proofs) expect("hall_direct", camera("cam_hero"), direct_frame_of(240, 135));
+    rt_frame_desc filtered = frame_of(240, 135);
+    filtered.texture_filter = RT_TEXTURE_MIPMAPS;
+    expect("hall_mipmaps", camera("cam_hero"), filtered);
     expect("hall_library", camera("cam_library"), frame_of(128, 72));
     expect("hall_courtyard", camera("cam_courtyard"), frame_of(128, 72));
 }

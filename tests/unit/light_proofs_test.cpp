@@ -79,7 +79,10 @@ protected:
         RenderScene& world = world_;
         const scene::SnapshotStore::Pin pin(world.scene.snapshots);
         auto* snapshot = const_cast<scene::Snapshot*>(pin.get());
-        snapshot->light_views.clear();
+        const auto& remembered = snapshot->lights;
+        snapshot->lights = scene::make_light_set(
+            remembered->lights, scene::LightViews(&world.scene.recycled), snapshot->world.bounds,
+            world.scene.scheduler, &world.scene.recycled);
         return show();
     }
 
@@ -110,7 +113,7 @@ TEST_F(Room, NothingIsRememberedUnlessAsked) {
     EXPECT_EQ(report.proofs.lights, 0u);
     EXPECT_EQ(report.proofs.proofs, 0u);
     const scene::SnapshotStore::Pin pin(world_.scene.snapshots);
-    EXPECT_TRUE(pin.get()->light_views.empty());
+    EXPECT_TRUE(pin.get()->lights->views.empty());
 }
 
 TEST_F(Room, LaterCommitsKeepWhatStillHolds) {

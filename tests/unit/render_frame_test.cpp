@@ -172,7 +172,7 @@ TEST(RenderFrame, AllocatesOnceAFrameAndNotPerTile) {
     const uint64_t before = world.scene.memory.allocations();
     const uint64_t bytes = world.scene.memory.bytes();
     render_frame(*pin.get(), Camera{}, frame, world.scene.scheduler, &world.scene.memory, nullptr);
-    EXPECT_EQ(world.scene.memory.allocations() - before, 2u) << "lights, and workers";
+    EXPECT_EQ(world.scene.memory.allocations() - before, 2u) << "numbers of lights, and workers";
     EXPECT_EQ(world.scene.memory.bytes(), bytes);
 }
 

@@ -1,4 +1,4 @@
-#include "shade/light/falloff.h"
+#include "scene/lights/falloff.h"
 #include "shade/material/highlight.h"
 
 #include <algorithm>
@@ -8,6 +8,9 @@
 
 namespace peregrine::shade {
 namespace {
+
+using scene::kCosine, scene::kCosineLinear, scene::kLinear, scene::kSchlickBend,
+    scene::kSchlickLinear, scene::PaperFalloff;
 
 // The price of each approximation over [0.1, 0.8] of the radius, measured against 1 / x^2; `curve`
 // is K times the shape.

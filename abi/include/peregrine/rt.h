@@ -218,7 +218,10 @@ static inline rt_texture_desc rt_default_texture_desc(void) {
     return desc;
 }
 
-/* Copies the pixels. Filtering happens in linear light. */
+/* Copies the pixels. Filtering happens in linear light. Frames with RT_TEXTURE_MIPMAPS look at
+ * smaller copies, too, which are made here, each half as wide and high as the one before, and take
+ * a third more bytes. In these, colours count as much as their alpha says: what a mask cuts out
+ * does not stain its border. A texture whose alpha means nothing should have it at 1. */
 RT_EXPORT rt_result rt_add_texture(rt_scene scene, const rt_texture_desc* desc,
                                    rt_texture* out_texture) RT_NOEXCEPT;
 
@@ -591,7 +594,7 @@ typedef struct rt_commit_report {
     uint64_t bytes_nodes;      /* the tree of the static meshes, as are all tree_* below */
     uint64_t bytes_references; /* the tree's leaves */
     uint64_t bytes_attributes; /* positions, normals, texcoords, tangents, indices, materials */
-    uint64_t bytes_textures;
+    uint64_t bytes_textures;   /* with their smaller copies */
     uint64_t tree_nodes;
     uint64_t tree_leaves;
     uint64_t tree_empty_leaves;
@@ -1150,7 +1153,9 @@ enum {
 typedef int32_t rt_texture_filter;
 enum {
     RT_TEXTURE_FINEST = 0, /* as rt_texture_desc says, of the texture as it is */
-    RT_TEXTURE_MIPMAPS = 1 /* of smaller copies where a pixel covers many texels */
+    RT_TEXTURE_MIPMAPS = 1 /* of smaller copies where a pixel covers many texels; on surfaces that
+                              lean away, up to four samples along what it covers. Masks are cut out
+                              by the texture as it is. */
 };
 
 /* Besides or instead of an image, a frame delivers what its primary rays see, as further planes of
@@ -1185,9 +1190,9 @@ typedef struct rt_frame_desc {
                              only where it changes */
     float light_tolerance; /* how far light may be from what lies between, as a part of it, before
                               a block is cut; >= 0 */
-    rt_texture_filter texture_filter;
-    float least_light;     /* steps of an 8-bit display; lamps that give a place less are left out;
-                              >= 0 */
+    rt_texture_filter texture_filter; /* rt_default_frame_desc() has RT_TEXTURE_MIPMAPS */
+    float least_light;     /* steps of an 8-bit display: the dimmest lamps of a place are left out as
+                              long as all of these together would change it by less; >= 0 */
     uint32_t edge_samples; /* rays through a pixel at an edge: 0, 1: one; 2 to 16 */
     float edge_budget;     /* at most so many more rays, as a part of the pixels; >= 0; 0: no limit */
     uint32_t render_width; /* the picture is traced so wide and high, at most width and height, and */
@@ -1203,6 +1208,7 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.steps_range = 100.0f;
     desc.light_block = 8;
     desc.light_tolerance = 0.03f;
+    desc.texture_filter = RT_TEXTURE_MIPMAPS;
     return desc;
 }
 

@@ -54,8 +54,8 @@ Bounds make_sorted_references(std::span<const geometry::Triangle> triangles,
     scheduler.for_each(tasks, [&](uint32_t task) {
         const size_t begin = size_t(task) * kTrianglesPerTask;
         for (size_t i = begin; i < std::min(count, begin + kTrianglesPerTask); ++i) {
-            const Bounds bounds = accel::bounds_of(triangles[keys[i].triangle]);
-            references[i] = Reference::make(keys[i].triangle, bounds, keys[i].place);
+            const Bounds bounds = accel::bounds_of(triangles[keys[i].item]);
+            references[i] = Reference::make(keys[i].item, bounds, keys[i].place);
             if (i % kBlock == 0) blocks[i / kBlock] = Bounds{};
             blocks[i / kBlock].extend(bounds);
         }

@@ -56,8 +56,8 @@ public:
     Chunk(const Task& task, const MortonKey* keys, uint32_t count, Scratch& scratch)
         : triangles_(task.triangles), keys_(keys), count_(count), items_(count), s_(scratch) {
         for (uint32_t i = 0; i < count; ++i) {
-            __builtin_prefetch(triangles_ + keys[std::min(i + kAhead, count - 1)].triangle);
-            s_.items[i].set(i, bounds_of(triangles_[keys[i].triangle]));
+            __builtin_prefetch(triangles_ + keys[std::min(i + kAhead, count - 1)].item);
+            s_.items[i].set(i, bounds_of(triangles_[keys[i].item]));
         }
     }
 
@@ -142,7 +142,7 @@ private:
         const uint32_t place = uint32_t(to.size());
         BinaryNode& added = to.emplace_back();
         if (item < kChunk) {
-            added.set(bounds_of(triangles_[keys_[item].triangle]), next_member_,
+            added.set(bounds_of(triangles_[keys_[item].item]), next_member_,
                       BinaryNode::kLeaf | 1);
             return add_members(item);
         }
@@ -158,7 +158,7 @@ private:
 
     void add_members(uint32_t item) {
         if (item < kChunk) {
-            const uint32_t number = keys_[item].triangle;
+            const uint32_t number = keys_[item].item;
             members_->numbers[next_member_] = number;
             members_->triangles[next_member_++] = triangles_[number];
             return;

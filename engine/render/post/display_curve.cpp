@@ -1,5 +1,6 @@
 #include "render/post/display_curve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,23 @@ DisplayCurve::DisplayCurve(double (*inverse)(double)) {
         while (threshold_[code + 1] <= std::bit_cast<float>((kFirstBin + bin) << kShift)) ++code;
         first_code_[bin] = uint8_t(code);
     }
+}
+
+// What reflects the part p of the light shows p dimmest or more, and p times a change. The slope is
+// at most that of the steepest step from the one before on: the curves are bent. Within a step p is
+// largest at its end.
+double DisplayCurve::most_steps(float dimmest) const {
+    double steepest = 0, most = 0;
+    for (int code = 254; code >= 1; --code) {
+        const int before = std::max(code - 1, 1);
+        for (const int step : {code, before}) {
+            const double width = double(threshold_[step + 1]) - double(threshold_[step]);
+            steepest = std::max(steepest, 1 / width);
+        }
+        const double part = double(threshold_[code + 1]) / double(dimmest);
+        most = std::max(most, std::min(1.0, part) * steepest);
+    }
+    return most;
 }
 
 } // namespace peregrine::render::post

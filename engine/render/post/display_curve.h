@@ -25,6 +25,10 @@ public:
         return uint8_t(code + (inside >= threshold_[code + 1]));
     }
 
+    // Where the light that surfaces reflect is at least `dimmest`, and the part of it that they
+    // reflect is at most one: at most so many steps of the display go to a unit of more of it.
+    double most_steps(float dimmest) const;
+
 private:
     static constexpr float kLowest = 0x1p-13f; // code 0 on every curve
     static constexpr float kHighest = 8.0f;    // code 255

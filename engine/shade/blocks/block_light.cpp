@@ -18,6 +18,8 @@ void TileLight::begin(uint32_t ray_count) {
     for (List& list : pending) list.count = 0;
     uneven.count = 0;
     known_count = 0;
+    slots.clear();
+    batch.slots = &slots;
 }
 
 BlockLight::BlockLight(const Shader& shader, const scene::Environment& environment, float tolerance,
@@ -182,8 +184,8 @@ void BlockLight::find_wanted(const TileHits& hits, SurfacePart part, TileLight& 
     if (count > 0) find_batch(hits, part, count, out, scratch);
 }
 
-void BlockLight::find_batch(const TileHits& hits, SurfacePart part, uint32_t count, TileLight& out,
-                            Scratch& scratch) const {
+// The rays as a batch of points.
+RayHits BlockLight::list_batch(const TileHits& hits, uint32_t count, TileLight& out) const {
     BatchMarks& marks = out.batch;
     marks.any_known = false;
     for (uint32_t i = 0; i < count; ++i) {
@@ -191,41 +193,63 @@ void BlockLight::find_batch(const TileHits& hits, SurfacePart part, uint32_t cou
         for (int k = 0; k < 3; ++k) out.direction[k][i] = hits.direction[k][ray];
         out.u[i] = hits.u[ray];
         out.v[i] = hits.v[ray];
+        out.t[i] = hits.t[ray];
         out.triangle[i] = hits.triangle[ray];
         out.back_face[i] = hits.back_face[ray];
-        const uint16_t known = out.known_of[ray];
-        marks.found[i] = LightMarks();
-        marks.known[i] = out.found[ray]             ? &out.marks[ray]
-                         : known == Block::kNothing ? nullptr
-                                                    : &out.known[known];
-        marks.any_known |= marks.known[i] != nullptr;
+        if (out.found[ray])
+            marks.know(i, out.marks[ray]);
+        else if (out.known_of[ray] != Block::kNothing)
+            marks.know(i, out.known[out.known_of[ray]]);
+        else
+            marks.know_nothing(i);
     }
-    const RayHits points = {{out.direction[0], out.direction[1], out.direction[2]},
-                            out.u,
-                            out.v,
-                            out.triangle,
-                            out.back_face,
-                            count};
+    return {{out.direction[0], out.direction[1], out.direction[2]},
+            out.u,
+            out.v,
+            out.triangle,
+            out.back_face,
+            out.t,
+            count,
+            hits.footprint};
+}
+
+void BlockLight::find_batch(const TileHits& hits, SurfacePart part, uint32_t count, TileLight& out,
+                            Scratch& scratch) const {
+    const RayHits points = list_batch(hits, count, out);
+    BatchMarks& marks = out.batch;
+    marks.finds = part == SurfacePart::smooth;
+    std::fill_n(marks.traced, count, false);
+    if (marks.finds) std::fill_n(marks.found, count, LightMarks());
     shader_.find_surfaces(points, part, scratch);
     shader_.gather_light(points, scratch, &marks);
+    const int channels = shader_.program() == Program::highlight ? 6 : 3;
+    for (int k = 0; k < channels; ++k) {
+        const float* const light =
+            k < 3 ? scratch.light.irradiance[k] : scratch.light.highlight[k - 3];
+        float* const lanes = k < 3 ? out.irradiance[k] : out.highlight[k - 3];
+        for (uint32_t i = 0; i < count; ++i) lanes[out.ray[i]] = light[i];
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        out.found[out.ray[i]] = true;
+        out.traced[out.ray[i]] = marks.traced[i];
+    }
+    if (marks.finds) note_samples(count, out, scratch.surface);
+    out.point_count += count;
+}
+
+// What judging a block takes.
+void BlockLight::note_samples(uint32_t count, TileLight& out, const Surface& surface) const {
     const bool lobes = shader_.program() == Program::highlight;
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t ray = out.ray[i];
-        out.found[ray] = true;
-        out.marks[ray] = marks.found[i];
-        for (int k = 0; k < 3; ++k) {
-            out.irradiance[k][ray] = scratch.light.irradiance[k][i];
-            if (lobes) out.highlight[k][ray] = scratch.light.highlight[k][i];
-            out.normal[k][ray] = scratch.surface.geometric[k][i];
-        }
-        if (lobes) out.shininess[ray] = scratch.surface.shininess[i];
+        out.marks[ray] = out.batch.found[i];
+        for (int k = 0; k < 3; ++k) out.normal[k][ray] = surface.geometric[k][i];
+        if (lobes) out.shininess[ray] = surface.shininess[i];
     }
-    for (uint32_t r = 0; r < scratch.surface.run_count; ++r) {
-        const TriangleRun& run = scratch.surface.runs[r];
-        const bool relief = run.relief && part == SurfacePart::smooth;
-        for (uint32_t i = run.begin; i < run.end; ++i) out.relief[out.ray[i]] = relief;
+    for (uint32_t r = 0; r < surface.run_count; ++r) {
+        const TriangleRun& run = surface.runs[r];
+        for (uint32_t i = run.begin; i < run.end; ++i) out.relief[out.ray[i]] = run.relief;
     }
-    out.point_count += count;
 }
 
 } // namespace peregrine::shade

@@ -33,6 +33,8 @@ private:
     void want_all(const Block& block, TileLight& out) const;
     void find_wanted(const TileHits& hits, SurfacePart part, TileLight& out,
                      Scratch& scratch) const;
+    RayHits list_batch(const TileHits& hits, uint32_t count, TileLight& out) const;
+    void note_samples(uint32_t count, TileLight& out, const Surface& surface) const;
     void find_batch(const TileHits& hits, SurfacePart part, uint32_t count, TileLight& out,
                     Scratch& scratch) const;
 

@@ -21,6 +21,7 @@ struct TileHits {
     const uint32_t* triangle;
     const uint32_t* back_face;
     uint32_t count;
+    float footprint; // see RayHits
 };
 
 // One thread's working memory for the light of a tile, and the result, ray by ray.
@@ -36,6 +37,7 @@ struct alignas(64) TileLight {
     Lanes shininess;
     bool relief[kMostTileRays]; // and it was found without the normal map that is there
     LightMarks marks[kMostTileRays];
+    bool traced[kMostTileRays]; // with shadow rays
     bool found[kMostTileRays];
 
     // Where it is to be found next, and what is known there: index in `known`.
@@ -62,14 +64,16 @@ struct alignas(64) TileLight {
     Surface::Lanes direction[3];
     Surface::Lanes u;
     Surface::Lanes v;
+    Surface::Lanes t;
     uint32_t triangle[kPadded];
     uint32_t back_face[kPadded];
     BatchMarks batch;
+    LightSlots slots; // of the tile
 
     uint64_t point_count; // of a frame
 
     static uint32_t level_of(uint32_t side) { return side == 4 ? 0 : side == 8 ? 1 : 2; }
-    void begin(uint32_t ray_count);                 // a tile
+    void begin(uint32_t ray_count); // a tile
     uint16_t know(const LightMarks& found_marks) {
         known[known_count] = found_marks;
         return uint16_t(known_count++);

@@ -1,4 +1,4 @@
-// Light by angle and distance: shade/light/falloff.h for vectors of points. Included once for each
+// Light by angle and distance: scene/lights/falloff.h for vectors of points. Included once for each
 // instruction set.
 #if defined(PEREGRINE_SHADE_FALLOFF_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PEREGRINE_SHADE_FALLOFF_INL_H
@@ -16,7 +16,7 @@ namespace peregrine::shade::HWY_NAMESPACE {
 //     a (b^2 + a b - a^2) / b^2
 // is the cosine with the facets' terminator softened (Chiang, Li, Burley, "Taming the Shadow
 // Terminator", SIGGRAPH Talks 2019: G + G^2 - G^3 with G = a / b); on a flat surface it is b. The
-// division by |to_light| and that of shade/light/falloff.h join the one by b^2.
+// division by |to_light| and that of scene/lights/falloff.h join the one by b^2.
 template <class Kind, scene::Falloff Law>
 HWY_INLINE Vf weigh_by_one_quotient(const PreparedLight& light, Vf a, Incidence& in) {
     const Vf one = splat(1.0f);
@@ -30,15 +30,15 @@ HWY_INLINE Vf weigh_by_one_quotient(const PreparedLight& light, Vf a, Incidence&
         below = hn::Mul(bb, in.distance);
         if constexpr (Law == scene::Falloff::schlick_linear) {
             above = hn::Mul(above, hn::Mul(rest, rest));
-            below = hn::Mul(below, hn::Add(one, hn::Mul(splat(kSchlickBend), x)));
+            below = hn::Mul(below, hn::Add(one, hn::Mul(splat(scene::kSchlickBend), x)));
         } else {
             above = hn::Mul(above, hn::Max(rest, hn::Zero(kF)));
         }
         if constexpr (Law == scene::Falloff::cosine_linear) {
             const Vf y = hn::Mul(x, x);
-            Vf sum = splat(kCosine[2]);
-            sum = hn::Add(hn::Mul(sum, y), splat(kCosine[1]));
-            sum = hn::Add(hn::Mul(sum, y), splat(kCosine[0]));
+            Vf sum = splat(scene::kCosine[2]);
+            sum = hn::Add(hn::Mul(sum, y), splat(scene::kCosine[1]));
+            sum = hn::Add(hn::Mul(sum, y), splat(scene::kCosine[0]));
             sum = hn::Add(hn::Mul(sum, y), one);
             const Vf cosine = hn::Mul(hn::Sub(one, y), sum);
             above = hn::Mul(above, hn::Mul(cosine, cosine));
@@ -70,7 +70,7 @@ template <class Kind, scene::Falloff Law>
 HWY_INLINE Vf weigh_diffuse(const Surface& surface, const PreparedLight& light, uint32_t i,
                             Incidence& in) {
     const Vf a = hn::Min(hn::Mul(hn::LoadU(kF, surface.bend + i), in.geometric), in.cosine);
-    if constexpr (Kind::kHasPlace && is_inverse_square(Law))
+    if constexpr (Kind::kHasPlace && scene::is_inverse_square(Law))
         return weigh_inverse_square<Kind, Law>(light, a, in);
     else
         return weigh_by_one_quotient<Kind, Law>(light, a, in);

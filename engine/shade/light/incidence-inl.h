@@ -6,7 +6,7 @@
 #define PEREGRINE_SHADE_INCIDENCE_INL_H
 #endif
 
-#include "shade/light/prepared_light.h"
+#include "scene/lights/prepared_light.h"
 #include "shade/surface/surface.h"
 #include "simd/wide-inl.h"
 

@@ -11,36 +11,46 @@ float reach_between(const math::Vec3& point, const math::Box& box) {
     return std::max({most.x, most.y, most.z});
 }
 
+// Whether what was proved of lights is true of this frame's surfaces (trace/visibility/shaft.h).
+bool proofs_hold(const SurfaceSpace& space) {
+    return !space.is_elsewhere && space.fixed_reach <= 2 * space.fixed_size;
+}
+
 constexpr uint32_t bit(PointState state) {
     return 1u << uint32_t(state);
 }
 
 // Puts what neighbours know over what is remembered; returns which states occur then.
-uint32_t overlay(const BatchMarks& marks, uint32_t light, uint32_t count, uint32_t* states) {
-    uint32_t occurs = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        if (const LightMarks* known = marks.known[i]) {
-            if (known->misses(light)) states[i] = uint32_t(PointState::hidden);
-            if (known->sees(light)) states[i] = uint32_t(PointState::seen);
+uint32_t overlay(const BatchMarks& marks, uint32_t slot, uint32_t count, uint32_t* states) {
+    if (slot < LightMarks::kLights) {
+        const uint32_t shift = slot % 32;
+        const uint32_t* const lit = marks.known_lit[slot / 32];
+        const uint32_t* const dark = marks.known_dark[slot / 32];
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t seen = 0u - (lit[i] >> shift & 1), hidden = 0u - (dark[i] >> shift & 1);
+            states[i] = ((states[i] & ~seen) | (uint32_t(PointState::seen) & seen)) & ~hidden;
         }
-        occurs |= 1u << states[i];
     }
-    return occurs;
+    uint32_t occurs[4] = {};
+    for (uint32_t i = 0; i < count; ++i) occurs[states[i]] = 1;
+    return occurs[0] | occurs[1] << 1 | occurs[2] << 2 | occurs[3] << 3;
 }
+static_assert(uint32_t(PointState::hidden) == 0);
 
 } // namespace
 
 Lighting::Lighting(const scene::Snapshot& snapshot, std::span<const PreparedLight> lights,
-                   const SurfaceSpace& space, Program program, bool shadows)
+                   const SurfaceSpace& space, Program program, bool shadows, float unseen)
     : snapshot_(&snapshot), kernels_(&kernels(snapshot.isa())), lights_(lights), space_(space),
-      shadows_(snapshot, space), program_(program), traces_shadows_(shadows) {}
+      choice_(*snapshot.lights, lights, space.origin, unseen), shadows_(snapshot, space),
+      program_(program), traces_shadows_(shadows), recalls_(proofs_hold(space)) {}
 
 void Lighting::gather(const RayHits& hits, Scratch& scratch, BatchMarks* marks) const {
     scratch.light.clear(program_);
     const math::Box& bounds = scratch.surface.bounds;
     if (bounds.empty()) return;
-    for (uint32_t i = 0; i < lights_.size(); ++i)
-        if (reaches(lights_[i], bounds)) illuminate({lights_[i], i, hits, scratch, marks});
+    for (const uint32_t i : choice_.reaching(bounds, scratch.lists))
+        illuminate({lights_[i], marks ? marks->slots->of(i) : 0, hits, scratch, marks});
 }
 
 // What need not be traced of a light that casts shadows.
@@ -48,15 +58,17 @@ Lighting::Known Lighting::find_known(const Task& task) const {
     Known known;
     const PreparedLight& light = task.light;
     const bool has_marks = task.marks && task.marks->any_known;
-    if (!light.visibility && !has_marks) return known;
+    const trace::visibility::PointVisibility* const visibility =
+        recalls_ ? light.visibility : nullptr;
+    if (!visibility && !has_marks) return known;
     uint32_t* const states = task.scratch.shadow.states;
     uint32_t occurs = 0;
-    if (light.visibility)
-        occurs = kernels_->recall(*light.visibility, task.scratch.surface,
-                                  snapshot_->world.first_moving, task.hits, states);
+    if (visibility)
+        occurs = kernels_->recall(*visibility, task.scratch.surface, snapshot_->world.first_moving,
+                                  task.hits, states);
     else
         std::fill_n(states, task.hits.count, uint32_t(PointState::mixed));
-    if (has_marks) occurs = overlay(*task.marks, task.index, task.hits.count, states);
+    if (has_marks) occurs = overlay(*task.marks, task.slot, task.hits.count, states);
     known.recalled.states = states;
     known.all_are_hidden = occurs == bit(PointState::hidden);
     known.some_are_lit = occurs & (bit(PointState::lit) | bit(PointState::seen));
@@ -69,21 +81,22 @@ Lighting::Known Lighting::find_known(const Task& task) const {
 // Notes who sees the light, once it was weighed and its rays were traced.
 void Lighting::mark(const Task& task, const Known& known, uint32_t ray_count) const {
     const ShadowMemory& shadow = task.scratch.shadow;
-    LightMarks* const found = task.marks->found;
+    BatchMarks& marks = *task.marks;
+    for (uint32_t k = 0; k < ray_count; ++k) marks.traced[shadow.index[k]] = true;
+    if (!marks.finds) return;
     for (uint32_t i = 0; known.recalled.states && i < task.hits.count; ++i) {
         if (shadow.states[i] == uint32_t(PointState::hidden))
-            found[i].miss(task.index);
+            marks.found[i].miss(task.slot);
         else if (shadow.states[i] != uint32_t(PointState::mixed)
                  && task.scratch.weights.diffuse[i] > 0)
-            found[i].see(task.index);
+            marks.found[i].see(task.slot);
     }
     for (uint32_t k = 0; k < ray_count; ++k) {
-        LightMarks& point = found[shadow.index[k]];
-        point.traced = true;
+        LightMarks& point = marks.found[shadow.index[k]];
         if (shadow.occluded[k])
-            point.miss(task.index);
+            point.miss(task.slot);
         else if (task.scratch.weights.diffuse[shadow.index[k]] > 0)
-            point.see(task.index);
+            point.see(task.slot);
     }
 }
 
@@ -95,7 +108,7 @@ void Lighting::illuminate(const Task& task) const {
         [[unlikely]] {
         PreparedLight distant = light;
         distant.from_light = false;
-        return illuminate({distant, task.index, task.hits, scratch, task.marks});
+        return illuminate({distant, task.slot, task.hits, scratch, task.marks});
     }
     const bool traces = traces_shadows_ && light.casts_shadow;
     const Known known = traces ? find_known(task) : Known();

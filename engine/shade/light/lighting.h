@@ -2,6 +2,7 @@
 
 #include "scene/snapshot.h"
 #include "shade/kernels.h"
+#include "shade/light/choice.h"
 #include "shade/light/marks.h"
 #include "shade/light/shadows.h"
 #include "shade/scratch.h"
@@ -13,9 +14,11 @@ namespace peregrine::shade {
 // All the light of a frame. Read-only: all threads share it.
 class Lighting {
 public:
-    // `lights` must outlive the result; they and surfaces are relative to `space.origin`.
+    // `lights`, `unseen`: as of LightChoice; they and surfaces are relative to `space.origin`.
     Lighting(const scene::Snapshot& snapshot, std::span<const PreparedLight> lights,
-             const SurfaceSpace& space, Program program, bool shadows);
+             const SurfaceSpace& space, Program program, bool shadows, float unseen);
+
+    const LightChoice& choice() const { return choice_; }
 
     // What arrives at the points of scratch.surface, in scratch.light. `marks`: null, or filled
     // with who sees whom; rays are not traced for what is known there.
@@ -24,7 +27,7 @@ public:
 private:
     struct Task {
         const PreparedLight& light;
-        uint32_t index;
+        uint32_t slot; // in marks
         const RayHits& hits;
         Scratch& scratch;
         BatchMarks* marks;
@@ -43,9 +46,11 @@ private:
     const Kernels* kernels_;
     std::span<const PreparedLight> lights_;
     SurfaceSpace space_;
+    LightChoice choice_;
     Shadows shadows_;
     Program program_;
     bool traces_shadows_;
+    bool recalls_;
 };
 
 } // namespace peregrine::shade

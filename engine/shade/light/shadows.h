@@ -1,14 +1,16 @@
 #pragma once
 
+#include "scene/lights/prepared_light.h"
 #include "scene/snapshot.h"
 #include "shade/light/illumination.h"
-#include "shade/light/prepared_light.h"
 #include "shade/light/shadow_memory.h"
 #include "shade/surface/space.h"
 #include "trace/filter.h"
 #include "trace/kernels.h"
 
 namespace peregrine::shade {
+
+using scene::PreparedLight;
 
 // Who sees a light. Read-only: all threads share it.
 class Shadows {

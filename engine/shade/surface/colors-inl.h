@@ -7,39 +7,28 @@
 #endif
 
 #include "shade/surface/runs-inl.h"
-#include "shade/surface/texels-inl.h"
-#include "shade/surface/triangle_shading.h"
+#include "shade/surface/sample-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
-HWY_INLINE void find_colors(const TriangleShading& triangle, uint32_t features, const RayHits& hits,
-                            Run run, Surface& out) {
-    const scene::Material& material = *triangle.material;
-    const math::Vec3 base(material.base_color);
-    if (triangle.base_color.texture)
-        sample_texture(triangle.base_color, hits.u, hits.v, run.begin, run.end,
-                       [&](uint32_t i, const V3& texel) HWY_ATTR {
-                           const V3 tint = splat(base);
-                           store({hn::Mul(texel.x, tint.x), hn::Mul(texel.y, tint.y),
-                                  hn::Mul(texel.z, tint.z)},
-                                 out.albedo, i);
-                       });
-    else
-        fill(base, run, out.albedo);
+HWY_INLINE void tint(const MaterialLook::Sampled& sampled, const math::Vec3& color,
+                     bool by_footprint, Run span, Surface& surface, Surface::Lanes* out) {
+    if (!sampled.texture) return fill(color, span, out);
+    sample_texture(sampled, surface, by_footprint, span, [&](uint32_t i, const V3& texel) HWY_ATTR {
+        store(multiply(texel, splat(color)), out, i);
+    });
+}
+
+// Of neighbouring rays that see one material.
+HWY_INLINE void find_colors(const MaterialLook& look, uint32_t features, bool by_footprint,
+                            Run span, Surface& out) {
+    const scene::Material& material = *look.material;
+    tint(look.color, math::Vec3(material.base_color), by_footprint, span, out, out.albedo);
     if (features & scene::kSpecular)
-        fill(material.specular * triangle.highlight_gain, run, out.specular);
-    if (!(features & scene::kEmissive)) return;
-    if (triangle.emissive.texture)
-        sample_texture(triangle.emissive, hits.u, hits.v, run.begin, run.end,
-                       [&](uint32_t i, const V3& texel) HWY_ATTR {
-                           const V3 tint = splat(material.emissive);
-                           store({hn::Mul(texel.x, tint.x), hn::Mul(texel.y, tint.y),
-                                  hn::Mul(texel.z, tint.z)},
-                                 out.emissive, i);
-                       });
-    else
-        fill(material.emissive, run, out.emissive);
+        fill(material.specular * look.highlight_gain, span, out.specular);
+    if (features & scene::kEmissive)
+        tint(look.emissive, material.emissive, by_footprint, span, out, out.emissive);
 }
 
 } // namespace peregrine::shade::HWY_NAMESPACE

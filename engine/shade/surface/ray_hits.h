@@ -12,7 +12,9 @@ struct RayHits {
     const float* v;
     const uint32_t* triangle;
     const uint32_t* back_face;
+    const float* t; // in lengths of the direction
     uint32_t count;
+    float footprint; // how wide the pixel of a ray is at t = 1; 0: textures at their finest level
 };
 
 } // namespace peregrine::shade

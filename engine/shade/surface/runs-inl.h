@@ -22,7 +22,7 @@ HWY_INLINE Run next_run(const RayHits& hits, uint32_t begin) {
     while (end < hits.count && hits.triangle[end] == triangle
            && (hits.back_face[end] == back_face || triangle == geometry::kNoTriangle))
         ++end;
-    return {begin, end, false};
+    return {begin, end};
 }
 
 // The last vector of a run writes past its end; the next run overwrites that.

@@ -12,7 +12,7 @@ inline constexpr uint32_t kPadded = kBatch + 16; // vectors may write this far
 // Neighbouring rays that hit the same side of one triangle, or nothing.
 struct TriangleRun {
     uint32_t begin, end;
-    bool relief; // it has a normal map
+    bool relief = false; // it has a normal map
 };
 
 // What is asked about surfaces: what light wants to know, how they look, or both. `smooth` is
@@ -38,6 +38,16 @@ struct alignas(64) Surface {
     Lanes albedo[3];
     Lanes specular[3]; // with kSpecular
     Lanes emissive[3]; // with kEmissive
+
+    // On the way there. Of look.places: texture coordinates, and what a ray's pixel covers in them,
+    // as the matrix whose eigenvalues are the squares of an ellipse's axes.
+    struct Place {
+        Lanes u, v;
+        Lanes uu, uv, vv; // if RayHits has a footprint
+    };
+    Place places[3];
+    Lanes tangent[3]; // where there is a normal map: the interpolated one, and the sign of ...
+    Lanes side;       // ... the bitangent
 
     uint32_t run_count;
     TriangleRun runs[kBatch];

@@ -7,6 +7,7 @@
 #endif
 
 #include "shade/surface/colors-inl.h"
+#include "shade/surface/coordinates-inl.h"
 #include "shade/surface/geometry-inl.h"
 #include "shade/surface/runs-inl.h"
 
@@ -62,31 +63,80 @@ HWY_INLINE void finish(uint32_t features, const RayHits& hits, Surface& out) {
                         hn::GetLane(hn::MaxOfLanes(kF, upper.z))};
 }
 
-// Neighbouring rays mostly hit the same triangle. Each run of them is shaded with that triangle's
-// data in registers: what the scene or the triangle lacks is asked once a run, not once a pixel.
+// Rays along Morton's curve come back to triangles that they left a few runs ago.
+class RecentTriangles {
+public:
+    HWY_INLINE const TriangleShading& find(const scene::Snapshot& snapshot, uint32_t features,
+                                           const SurfaceSpace& space, uint32_t triangle,
+                                           bool back_face) {
+        const uint32_t place = triangle % kCount;
+        const uint64_t name = uint64_t(triangle) << 1 | uint64_t(back_face);
+        if (names_[place] != name) {
+            gather(snapshot, features, triangle, back_face, space, triangles_[place]);
+            names_[place] = name;
+        }
+        return triangles_[place];
+    }
+
+private:
+    static constexpr uint32_t kCount = 8;
+    static constexpr uint64_t kNone = ~uint64_t(0);
+
+    uint64_t names_[kCount] = {kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
+    TriangleShading triangles_[kCount];
+};
+
+// What follows from the material alone, for neighbouring rays that see one.
+template <SurfacePart Part>
+HWY_INLINE void finish_span(const MaterialLook& look, uint32_t features, const RayHits& hits,
+                            Run span, Surface& out) {
+    const bool by_footprint = hits.footprint > 0;
+    if constexpr (Part != SurfacePart::colors)
+        if (look.normal.texture) map_normals(look, by_footprint, span, out);
+    if constexpr (Part != SurfacePart::geometry)
+        find_colors(look, features, by_footprint, span, out);
+}
+
+// Neighbouring rays mostly hit the same triangle, and yet more often see the same material. A
+// triangle's data stay in registers for each run of rays that hit it, which only blends them;
+// textures are sampled, and normals bent, for spans of runs, in full vectors also where triangles
+// are small. What the scene or the material lacks is asked once a run or span.
 template <SurfacePart Part>
 HWY_ATTR void find_surfaces(const scene::Snapshot& snapshot, uint32_t features,
                             const SurfaceSpace& space, const RayHits& hits, Surface& out) {
-    TriangleShading triangle;
+    RecentTriangles recent;
+    MaterialLook look; // of the span that is not finished, if it has a material
+    uint32_t first = 0;
+    const auto finish_until = [&](uint32_t end) HWY_ATTR {
+        if (look.material) finish_span<Part>(look, features, hits, {first, end}, out);
+        look.material = nullptr;
+        first = end;
+    };
     out.run_count = 0;
     for (uint32_t begin = 0; begin < hits.count;) {
         const Run run = next_run(hits, begin);
         begin = run.end;
         out.runs[out.run_count++] = run;
         if (hits.triangle[run.begin] == geometry::kNoTriangle) {
+            finish_until(run.begin);
             miss<Part>(features, run, out);
             continue;
         }
         const bool back_face = hits.back_face[run.begin] != 0;
-        gather(snapshot, features, hits.triangle[run.begin], back_face, space, triangle);
+        const TriangleShading& triangle =
+            recent.find(snapshot, features, space, hits.triangle[run.begin], back_face);
+        if (triangle.look.material != look.material) {
+            finish_until(run.begin);
+            look = triangle.look;
+        }
         if constexpr (Part != SurfacePart::colors) {
             find_geometry(triangle, features, hits, run, out);
-            if (triangle.normal_map.texture) map_normals(triangle, hits, run, back_face, out);
-            out.runs[out.run_count - 1].relief = triangle.material->normal_texture.texture;
+            out.runs[out.run_count - 1].relief = look.material->normal_texture.texture;
+            if (look.normal.texture) find_tangents(triangle, hits, run, back_face, out);
         }
-        if constexpr (Part != SurfacePart::geometry)
-            find_colors(triangle, features, hits, run, out);
+        find_coordinates(triangle, hits, run, out);
     }
+    finish_until(hits.count);
     if constexpr (Part != SurfacePart::colors) finish(features, hits, out);
 }
 

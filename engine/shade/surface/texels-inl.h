@@ -9,7 +9,7 @@
 #include <hwy/cache_control.h>
 
 #include "scene/texture_sampling.h"
-#include "shade/surface/triangle_shading.h"
+#include "shade/surface/footprint-inl.h"
 #include "shade/surface/weights-inl.h"
 
 #include <algorithm>
@@ -18,10 +18,6 @@
 // time, texels one ray at a time with the four channels side by side.
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
-
-using Di = hn::ScalableTag<int32_t>;
-using Vi = hn::Vec<Di>;
-inline constexpr Di kI;
 
 #if HWY_TARGET == HWY_SCALAR
 struct Texel {
@@ -45,6 +41,12 @@ HWY_INLINE Texel mix(const Texel& a, const Texel& b, float weight) {
 HWY_INLINE void store_texel(const Texel& t, float* out) {
     std::copy_n(t.c, 4, out);
 }
+HWY_INLINE Texel scale_texel(const Texel& t, float weight) {
+    return each_channel([&](int k) HWY_ATTR { return t.c[k] * weight; });
+}
+HWY_INLINE void add_texel(const Texel& t, float weight, float* sum) {
+    for (int k = 0; k < 4; ++k) sum[k] += t.c[k] * weight;
+}
 #else
 using D4 = hn::FixedTag<float, 4>;
 using Texel = hn::Vec<D4>;
@@ -62,6 +64,12 @@ HWY_INLINE Texel mix(Texel a, Texel b, float weight) {
 }
 HWY_INLINE void store_texel(Texel t, float* out) {
     hn::Store(t, kTexel, out);
+}
+HWY_INLINE Texel scale_texel(Texel t, float weight) {
+    return hn::Mul(t, hn::Set(kTexel, weight));
+}
+HWY_INLINE void add_texel(Texel t, float weight, float* sum) {
+    hn::Store(hn::Add(hn::Load(kTexel, sum), hn::Mul(t, hn::Set(kTexel, weight))), kTexel, sum);
 }
 #endif
 
@@ -85,11 +93,11 @@ struct VectorTaps {
     Vf weight;
 };
 
-HWY_INLINE VectorTaps bilinear_taps(Vf coordinate, scene::Wrap wrap, uint32_t size) {
-    const Vf x = hn::Sub(hn::Mul(fold(coordinate, wrap), splat(float(size))), splat(0.5f));
+// `last`: size - 1.
+HWY_INLINE VectorTaps bilinear_taps(Vf coordinate, scene::Wrap wrap, Vf size, Vi last) {
+    const Vf x = hn::Sub(hn::Mul(fold(coordinate, wrap), size), splat(0.5f));
     const Vf floor = hn::Floor(x);
     const Vi index = hn::ConvertTo(kI, floor);
-    const Vi last = hn::Set(kI, int32_t(size) - 1);
     const Vi before = wrap == scene::Wrap::repeat ? last : hn::Zero(kI);
     const Vi after = wrap == scene::Wrap::repeat ? hn::Zero(kI) : last;
     const Vi next = hn::Add(index, hn::Set(kI, 1));
@@ -97,28 +105,42 @@ HWY_INLINE VectorTaps bilinear_taps(Vf coordinate, scene::Wrap wrap, uint32_t si
             hn::IfThenElse(hn::Eq(index, last), after, next), hn::Sub(x, floor)};
 }
 
-HWY_INLINE Vi nearest_tap(Vf coordinate, scene::Wrap wrap, uint32_t size) {
-    const Vi index = hn::ConvertTo(kI, hn::Mul(fold(coordinate, wrap), splat(float(size))));
-    return hn::Min(index, hn::Set(kI, int32_t(size) - 1));
+HWY_INLINE Vi nearest_tap(Vf coordinate, scene::Wrap wrap, Vf size, Vi last) {
+    return hn::Min(hn::ConvertTo(kI, hn::Mul(fold(coordinate, wrap), size)), last);
 }
 
-// Where the texels of one vector of rays lie, in texels from the first.
+// A level of a texture, or one for each ray.
+struct VectorLevel {
+    Vf width, height;
+    Vi last_x, last_y, row; // texels from row to row
+
+    HWY_INLINE VectorLevel(Vi width_, Vi height_)
+        : width(hn::ConvertTo(kF, width_)), height(hn::ConvertTo(kF, height_)),
+          last_x(hn::Sub(width_, hn::Set(kI, 1))), last_y(hn::Sub(height_, hn::Set(kI, 1))),
+          row(width_) {}
+};
+
+HWY_INLINE VectorLevel finest_level(const scene::Texture& texture) {
+    return {hn::Set(kI, int32_t(texture.width)), hn::Set(kI, int32_t(texture.height))};
+}
+
+// Where the texels of one vector of rays lie, in texels from the first of their level.
 struct TexelAddresses {
     HWY_ALIGN int32_t at[4][HWY_LANES(float)]; // nearest: only at[0]
     HWY_ALIGN float weight_x[HWY_LANES(float)];
     HWY_ALIGN float weight_y[HWY_LANES(float)];
 };
 
-HWY_INLINE void find_texels(const scene::Texture& texture, Vf u, Vf v, TexelAddresses& out) {
-    const Vi width = hn::Set(kI, int32_t(texture.width));
+HWY_INLINE void find_texels(const scene::Texture& texture, const VectorLevel& level, Vf u, Vf v,
+                            TexelAddresses& out) {
     if (texture.sampling == scene::Sampling::nearest) {
-        const Vi x = nearest_tap(u, texture.wrap_u, texture.width);
-        const Vi y = nearest_tap(v, texture.wrap_v, texture.height);
-        return hn::Store(hn::Add(hn::Mul(y, width), x), kI, out.at[0]);
+        const Vi x = nearest_tap(u, texture.wrap_u, level.width, level.last_x);
+        const Vi y = nearest_tap(v, texture.wrap_v, level.height, level.last_y);
+        return hn::Store(hn::Add(hn::Mul(y, level.row), x), kI, out.at[0]);
     }
-    const VectorTaps x = bilinear_taps(u, texture.wrap_u, texture.width);
-    const VectorTaps y = bilinear_taps(v, texture.wrap_v, texture.height);
-    const Vi row0 = hn::Mul(y.first, width), row1 = hn::Mul(y.second, width);
+    const VectorTaps x = bilinear_taps(u, texture.wrap_u, level.width, level.last_x);
+    const VectorTaps y = bilinear_taps(v, texture.wrap_v, level.height, level.last_y);
+    const Vi row0 = hn::Mul(y.first, level.row), row1 = hn::Mul(y.second, level.row);
     hn::Store(hn::Add(row0, x.first), kI, out.at[0]);
     hn::Store(hn::Add(row0, x.second), kI, out.at[1]);
     hn::Store(hn::Add(row1, x.first), kI, out.at[2]);
@@ -127,62 +149,34 @@ HWY_INLINE void find_texels(const scene::Texture& texture, Vf u, Vf v, TexelAddr
     hn::Store(y.weight, kF, out.weight_y);
 }
 
+// The sample of one ray.
 template <class Channel>
-HWY_INLINE void fetch_texels(const scene::Texture& texture, const TexelAddresses& addresses,
-                             uint32_t count, float* rgba) {
-    const auto* texels = reinterpret_cast<const Channel*>(texture.texels.data());
-    const auto texel = [&](int corner, uint32_t lane) HWY_ATTR {
+HWY_INLINE Texel fetch_sample(const Channel* texels, scene::Sampling sampling,
+                              const TexelAddresses& addresses, uint32_t lane) {
+    const auto texel = [&](int corner) HWY_ATTR {
         return load_texel(texels + size_t(uint32_t(addresses.at[corner][lane])) * 4);
     };
-    if (texture.sampling == scene::Sampling::nearest) {
-        for (uint32_t j = 0; j < count; ++j) store_texel(texel(0, j), rgba + 4 * j);
-        return;
-    }
-    for (uint32_t j = 0; j < count; ++j) {
-        const Texel top = mix(texel(0, j), texel(1, j), addresses.weight_x[j]);
-        const Texel bottom = mix(texel(2, j), texel(3, j), addresses.weight_x[j]);
-        store_texel(mix(top, bottom, addresses.weight_y[j]), rgba + 4 * j);
-    }
+    if (sampling == scene::Sampling::nearest) return texel(0);
+    const Texel top = mix(texel(0), texel(1), addresses.weight_x[lane]);
+    const Texel bottom = mix(texel(2), texel(3), addresses.weight_x[lane]);
+    return mix(top, bottom, addresses.weight_y[lane]);
+}
+
+template <class Channel>
+HWY_INLINE void fetch_samples(const scene::Texture& texture, const TexelAddresses& addresses,
+                              uint32_t count, float* rgba) {
+    const auto* texels = reinterpret_cast<const Channel*>(texture.texels.data());
+    for (uint32_t j = 0; j < count; ++j)
+        store_texel(fetch_sample(texels, texture.sampling, addresses, j), rgba + 4 * j);
 }
 
 HWY_INLINE void prefetch_texels(const scene::Texture& texture, const TexelAddresses& addresses) {
     const auto* texels = texture.texels.data();
-    const size_t size = texture.storage == scene::Texture::Storage::unorm16 ? 8 : 16;
+    const size_t size = texture.texel_size();
     const int second_row = texture.sampling == scene::Sampling::nearest ? 0 : 2;
     for (uint32_t j = 0; j < kLanes; ++j) {
         hwy::Prefetch(texels + size_t(uint32_t(addresses.at[0][j])) * size);
         hwy::Prefetch(texels + size_t(uint32_t(addresses.at[second_row][j])) * size);
-    }
-}
-
-// Calls use(i, colour) for each vector i of the rays [begin, end), all of which hit the triangle.
-// Texels seldom are in the cache: each vector's are asked for while the previous one is filtered.
-template <class Use>
-HWY_INLINE void sample_texture(const TextureOnTriangle& placed, const float* u, const float* v,
-                               uint32_t begin, uint32_t end, Use&& use) {
-    const scene::Texture& texture = *placed.texture;
-    const Vf scale_by = splat(scene::texel_scale(texture));
-    TexelAddresses addresses[2];
-    HWY_ALIGN float rgba[4 * HWY_LANES(float)];
-    for (uint32_t k = 0; k < 4; ++k) hn::Store(hn::Zero(kF), kF, rgba + k * kLanes);
-    const auto address = [&](uint32_t i, TexelAddresses& out) HWY_ATTR {
-        const Weights w = weights(u, v, i);
-        find_texels(texture, blend(w, placed.uv[0].x, placed.uv[1].x, placed.uv[2].x),
-                    blend(w, placed.uv[0].y, placed.uv[1].y, placed.uv[2].y), out);
-        prefetch_texels(texture, out);
-    };
-    address(begin, addresses[0]);
-    uint32_t current = 0;
-    for (uint32_t i = begin; i < end; i += kLanes, current ^= 1) {
-        if (i + kLanes < end) address(i + kLanes, addresses[current ^ 1]);
-        const uint32_t count = std::min(end - i, kLanes);
-        if (texture.storage == scene::Texture::Storage::unorm16)
-            fetch_texels<uint16_t>(texture, addresses[current], count, rgba);
-        else
-            fetch_texels<float>(texture, addresses[current], count, rgba);
-        Vf r, g, b, a;
-        hn::LoadInterleaved4(kF, rgba, r, g, b, a);
-        use(i, scale(V3{r, g, b}, scale_by));
     }
 }
 

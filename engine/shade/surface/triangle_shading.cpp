@@ -2,7 +2,6 @@
 
 #include "geometry/lift.h"
 #include "scene/texture_sampling.h"
-#include "shade/material/highlight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,15 +21,14 @@ Vec3 unit_normal(const Vec3* v) {
     return length > 0 ? Vec3(n / length) : Vec3(0, 0, 1);
 }
 
-TextureOnTriangle place(const scene::TextureUse& use, const scene::MeshData& mesh,
-                        const std::array<uint32_t, 3>& vertices) {
-    TextureOnTriangle placed;
-    placed.texture = use.texture;
-    if (!use.texture) return placed;
-    for (uint32_t k = 0; k < 3; ++k)
-        placed.uv[k] =
-            scene::transform(use, scene::vertex_texcoord(mesh, vertices[k], use.texcoord_set));
-    return placed;
+void place_textures(const scene::MeshData& mesh, const std::array<uint32_t, 3>& vertices,
+                    TriangleShading& out) {
+    for (uint32_t i = 0; i < out.look.place_count; ++i) {
+        const scene::TextureUse& use = *out.look.places[i];
+        for (uint32_t k = 0; k < 3; ++k)
+            out.texcoord[i][k] =
+                scene::transform(use, scene::vertex_texcoord(mesh, vertices[k], use.texcoord_set));
+    }
 }
 
 // From the mesh's own space into the world, relative to a point. Normals go by the inverse
@@ -51,8 +49,8 @@ void place(const scene::Placement& placement, const math::Vec3d& origin, Triangl
 // is at v = 0. Without usable coordinates any tangent will do.
 void derive_tangents(TriangleShading& out, const Vec3& front) {
     const Vec3 e1 = out.vertex[1] - out.vertex[0], e2 = out.vertex[2] - out.vertex[0];
-    const Vec2 d1 = out.normal_map.uv[1] - out.normal_map.uv[0];
-    const Vec2 d2 = out.normal_map.uv[2] - out.normal_map.uv[0];
+    const Vec2* const texcoord = out.texcoord[out.look.normal.place];
+    const Vec2 d1 = texcoord[1] - texcoord[0], d2 = texcoord[2] - texcoord[0];
     const float area = d1.x * d2.y - d2.x * d1.y;
     // Only the direction matters: multiplying by the sign instead of dividing by the area.
     const Vec3 du = (e1 * d2.y - e2 * d1.y) * (area < 0 ? -1.0f : 1.0f);
@@ -79,7 +77,7 @@ void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangl
     const scene::MeshData& mesh = *slot.data;
     const std::array<uint32_t, 3>& vertices = mesh.triangles()[triangle.primitive];
     const scene::Material& material = snapshot.material_of(slot, triangle.primitive);
-    out.material = &material;
+    if (out.look.material != &material) out.look.look_at(material, features);
     for (uint32_t k = 0; k < 3; ++k) out.vertex[k] = mesh.positions[vertices[k]];
     out.smooth = !mesh.normals.empty();
     if (out.smooth)
@@ -101,17 +99,8 @@ void gather(const scene::Snapshot& snapshot, uint32_t features, uint32_t triangl
     Vec3 largest = geometry::largest_coordinates(out.vertex);
     if (is_moved) largest += 0.25f * (largest + in_world); // for two more roundings, of either
     out.lift = geometry::surface_lift(largest, out.geometric, geometry::intersection_error(reach));
-    if ((features & scene::kSpecular) && out.shininess != material.shininess) {
-        out.shininess = material.shininess;
-        out.highlight_gain = highlight_gain(material.shininess);
-    }
-    if (features & scene::kTextures)
-        out.base_color = place(material.base_color_texture, mesh, vertices);
-    if (features & scene::kEmissive)
-        out.emissive = place(material.emissive_texture, mesh, vertices);
-    if (!(features & scene::kNormalMaps)) return;
-    out.normal_map = place(material.normal_texture, mesh, vertices);
-    if (!out.normal_map.texture) return;
+    place_textures(mesh, vertices, out);
+    if (!out.look.normal.texture) return;
     gather_tangents(mesh, vertices, front, out);
     if (!placement) return;
     if (!mesh.tangents.empty())

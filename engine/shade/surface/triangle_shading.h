@@ -1,17 +1,12 @@
 #pragma once
 
 #include "scene/snapshot.h"
+#include "shade/surface/material_look.h"
 #include "shade/surface/space.h"
 
 #include <cstdint>
 
 namespace peregrine::shade {
-
-// A texture over one triangle: what the texture's transform makes of the three vertices.
-struct TextureOnTriangle {
-    const scene::Texture* texture = nullptr; // null: none
-    math::Vec2 uv[3];
-};
 
 // All that shading wants to know of a triangle, gathered once for neighbouring rays that hit it.
 struct TriangleShading {
@@ -20,14 +15,10 @@ struct TriangleShading {
     math::Vec3 lift;       // added to positions: see surface_lift()
     bool smooth;           // has vertex normals
     math::Vec3 normal[3];  // if smooth
-    math::Vec3 tangent[3]; // if normal_map
-    float handedness;      // the bitangent is this times cross(normal, tangent)
-    const scene::Material* material;
-    float shininess = -1;     // of the material, if specular; it and ...
-    float highlight_gain = 0; // ... highlight_gain() of it are kept from triangle to triangle
-    TextureOnTriangle base_color;
-    TextureOnTriangle normal_map;
-    TextureOnTriangle emissive;
+    math::Vec3 tangent[3]; // if look.normal
+    float handedness;      // the bitangent is this, 1 or -1, times cross(normal, tangent)
+    MaterialLook look;
+    math::Vec2 texcoord[3][3]; // of look.places: what their transforms make of the three vertices
 };
 
 // Gathers what `features` (scene::Feature bits) ask for; the rest is left unset.

@@ -2,19 +2,19 @@
 
 #include "math/box.h"
 #include "scene/light.h"
-#include "shade/light/falloff.h"
+#include "scene/lights/falloff.h"
 #include "trace/visibility/point_visibility.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace peregrine::shade {
+namespace peregrine::scene {
 
 // A light as the kernels want it: single precision, constants folded.
 struct PreparedLight {
-    scene::LightType type;
-    scene::Falloff falloff;
+    LightType type;
+    Falloff falloff;
     bool casts_shadow;
     bool from_light; // its shadow rays start at the light, where they share their origin
     math::Vec3 position;
@@ -30,38 +30,37 @@ struct PreparedLight {
 };
 
 // The cheapest fall-off with the light's values.
-inline scene::Falloff cheapest_falloff(const scene::Light& light) {
-    using enum scene::Falloff;
+inline Falloff cheapest_falloff(const Light& light) {
+    using enum Falloff;
     const bool no_window = light.falloff == windowed_inverse_square && std::isinf(light.radius);
     return no_window ? inverse_square : light.falloff;
 }
 
 // What the weights of the kernels are to be multiplied by.
-inline float falloff_gain(const scene::Light& light) {
+inline float falloff_gain(const Light& light) {
     const auto of = [&](const PaperFalloff& falloff) {
         return std::min(falloff.gain / (light.radius * light.radius),
                         std::numeric_limits<float>::max()); // of the tiniest radii
     };
-    if (light.type == scene::LightType::directional) return 1;
+    if (light.type == LightType::directional) return 1;
     switch (light.falloff) {
-    case scene::Falloff::schlick_linear:
+    case Falloff::schlick_linear:
         return of(kSchlickLinear);
-    case scene::Falloff::linear:
+    case Falloff::linear:
         return of(kLinear);
-    case scene::Falloff::cosine_linear:
+    case Falloff::cosine_linear:
         return of(kCosineLinear);
     default:
         return 1;
     }
 }
 
-constexpr bool is_inverse_square(scene::Falloff falloff) {
-    return falloff == scene::Falloff::windowed_inverse_square
-           || falloff == scene::Falloff::inverse_square;
+constexpr bool is_inverse_square(Falloff falloff) {
+    return falloff == Falloff::windowed_inverse_square || falloff == Falloff::inverse_square;
 }
 
 // Farther than 1e12 m the kernels of Arauna's fall-offs would overflow, which cube distances.
-inline float end_of(const scene::Light& light) {
+inline float end_of(const Light& light) {
     return is_inverse_square(light.falloff) ? light.radius : std::min(light.radius, 1e12f);
 }
 
@@ -72,20 +71,22 @@ inline float inverse_nearest(const math::Vec3& intensity) {
 }
 
 // Shadow rays run from the light if it is within the bounds of the scene: the lift of surfaces
-// covers the errors of rays from there (see SurfaceSpace). Positions are relative to `origin`.
-inline PreparedLight prepare(const scene::Light& light, const math::Box& bounds,
-                             const math::Vec3d& origin) {
-    const bool finite = light.type != scene::LightType::directional;
+// covers the errors of rays from there (shade/surface/space.h).
+inline bool is_within(const Light& light, const math::Box& bounds) {
+    const math::Vec3 position(light.position);
+    return light.type != LightType::directional
+           && glm::clamp(position, bounds.lower, bounds.upper) == position;
+}
+
+inline PreparedLight prepare(const Light& light, const math::Box& bounds) {
     const math::Vec3 color = glm::min(light.intensity * falloff_gain(light),
                                       math::Vec3(std::numeric_limits<float>::max()));
     const float cone = std::max(light.cone_inner_cos - light.cone_outer_cos, 1e-5f);
-    const math::Vec3 position(light.position);
-    const bool inside = finite && glm::clamp(position, bounds.lower, bounds.upper) == position;
     return {light.type,
             cheapest_falloff(light),
             light.casts_shadow,
-            inside,
-            math::Vec3(light.position - origin),
+            is_within(light, bounds),
+            math::Vec3(light.position),
             light.direction,
             color,
             end_of(light),
@@ -97,10 +98,10 @@ inline PreparedLight prepare(const scene::Light& light, const math::Box& bounds,
 
 // Whether any point of the box may be lit. The margin covers the rounding of both sides.
 inline bool reaches(const PreparedLight& light, const math::Box& box) {
-    if (light.type == scene::LightType::directional) return true;
+    if (light.type == LightType::directional) return true;
     const math::Vec3 nearest = glm::min(glm::max(light.position, box.lower), box.upper);
     const math::Vec3 offset = light.position - nearest;
     return glm::dot(offset, offset) <= light.radius * light.radius * 1.0001f;
 }
 
-} // namespace peregrine::shade
+} // namespace peregrine::scene

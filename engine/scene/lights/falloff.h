@@ -12,7 +12,7 @@
 // own. K and N are the minimax fits of log f to log 1 / d^2 over x in [0.1, 0.8]; the cosine's
 // power of two is the best of all powers. They are within these factors of 1 / d^2 there; each
 // meets it at no more points than it has freedoms, so none can do better.
-namespace peregrine::shade {
+namespace peregrine::scene {
 
 struct PaperFalloff {
     float gain;  // K
@@ -32,4 +32,4 @@ inline constexpr float kCosine[] = {-0.23369591f, 0.01994146f, -0.00084758f};
 // of floats overflow.
 inline constexpr float kBrightest = 1e20f;
 
-} // namespace peregrine::shade
+} // namespace peregrine::scene

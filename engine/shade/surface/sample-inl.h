@@ -1,0 +1,104 @@
+// Textures under the rays of a span. Included once for each instruction set.
+#if defined(PEREGRINE_SHADE_SAMPLE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PEREGRINE_SHADE_SAMPLE_INL_H
+#undef PEREGRINE_SHADE_SAMPLE_INL_H
+#else
+#define PEREGRINE_SHADE_SAMPLE_INL_H
+#endif
+
+#include "shade/surface/levels-inl.h"
+#include "shade/surface/runs-inl.h"
+#include "shade/surface/texels-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace peregrine::shade::HWY_NAMESPACE {
+
+// A texture under the rays of a span.
+struct SampledTexture {
+    const scene::Texture& texture;
+    const Surface::Place& at;
+    Run span;
+
+    HWY_INLINE void find(uint32_t i, TexelAddresses& out) const {
+        find_texels(texture, finest_level(texture), hn::LoadU(kF, at.u + i),
+                    hn::LoadU(kF, at.v + i), out);
+    }
+
+    HWY_INLINE uint32_t count(uint32_t i) const { return std::min(span.end - i, kLanes); }
+
+    HWY_INLINE void fetch(const TexelAddresses& addresses, uint32_t i, float* rgba) const {
+        if (texture.storage == scene::Texture::Storage::unorm16)
+            fetch_samples<uint16_t>(texture, addresses, count(i), rgba);
+        else
+            fetch_samples<float>(texture, addresses, count(i), rgba);
+    }
+};
+
+template <class Use>
+HWY_INLINE void hand_on(const float* rgba, Vf scale_by, uint32_t i, Use&& use) {
+    Vf r, g, b, a;
+    hn::LoadInterleaved4(kF, rgba, r, g, b, a);
+    use(i, scale(V3{r, g, b}, scale_by));
+}
+
+// Texels seldom are in the cache: each vector's are asked for while the previous one is filtered.
+template <class Use>
+HWY_INLINE void sample_finest(const SampledTexture& sampled, Use&& use) {
+    const Run span = sampled.span;
+    const Vf scale_by = splat(scene::texel_scale(sampled.texture));
+    TexelAddresses addresses[2];
+    HWY_ALIGN float rgba[4 * HWY_LANES(float)] = {};
+    const auto address = [&](uint32_t i, TexelAddresses& out) HWY_ATTR {
+        sampled.find(i, out);
+        prefetch_texels(sampled.texture, out);
+    };
+    address(span.begin, addresses[0]);
+    uint32_t current = 0;
+    for (uint32_t i = span.begin; i < span.end; i += kLanes, current ^= 1) {
+        if (i + kLanes < span.end) address(i + kLanes, addresses[current ^ 1]);
+        sampled.fetch(addresses[current], i, rgba);
+        hand_on(rgba, scale_by, i, use);
+    }
+}
+
+template <class Use>
+HWY_INLINE void sample_by_footprint(const SampledTexture& sampled, Use&& use) {
+    const scene::Texture& texture = sampled.texture;
+    const auto width = float(texture.width), height = float(texture.height);
+    const Vf uu = splat(width * width), uv = splat(width * height), vv = splat(height * height);
+    const Vf scale_by = splat(scene::texel_scale(texture));
+    TexelAddresses addresses{};
+    HWY_ALIGN float rgba[4 * HWY_LANES(float)] = {};
+    for (uint32_t i = sampled.span.begin; i < sampled.span.end; i += kLanes) {
+        const Ellipse covered{hn::Mul(hn::LoadU(kF, sampled.at.uu + i), uu),
+                              hn::Mul(hn::LoadU(kF, sampled.at.uv + i), uv),
+                              hn::Mul(hn::LoadU(kF, sampled.at.vv + i), vv)};
+        const uint32_t count = sampled.count(i);
+        if (all_are_small(covered, hn::FirstN(kF, count))) {
+            sampled.find(i, addresses);
+            sampled.fetch(addresses, i, rgba);
+        } else {
+            const LevelChoice choice = choose_level(covered, float(texture.level_count - 1));
+            sample_levels(texture, choice, hn::LoadU(kF, sampled.at.u + i),
+                          hn::LoadU(kF, sampled.at.v + i), count, rgba);
+        }
+        hand_on(rgba, scale_by, i, use);
+    }
+}
+
+// Calls use(i, colour) for each vector i of the span's rays.
+template <class Use>
+HWY_INLINE void sample_texture(const MaterialLook::Sampled& sampled, const Surface& surface,
+                               bool by_footprint, Run span, Use&& use) {
+    const SampledTexture texture{*sampled.texture, surface.places[sampled.place], span};
+    if (by_footprint && sampled.texture->level_count > 1)
+        sample_by_footprint(texture, use);
+    else
+        sample_finest(texture, use);
+}
+
+} // namespace peregrine::shade::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
