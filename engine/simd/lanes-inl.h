@@ -39,6 +39,16 @@ using Vd = hn::Vec<Dd>;
 using Dfd = hn::Rebind<float, Dd>;
 constexpr Dfd kFd;
 
+// Eight lanes in double at once, or half of them.
+#if HWY_TARGET == HWY_AVX3
+using DHalf = hn::Rebind<double, D8>;
+constexpr bool kHalves = false;
+#else
+using DHalf = Dd;
+constexpr bool kHalves = true;
+#endif
+using VHalf = hn::Vec<DHalf>;
+
 template <class D>
 HWY_INLINE HWY_ATTR uint32_t bits_of(D d, hn::Mask<D> mask) {
     uint8_t bytes[8] = {};

@@ -46,31 +46,34 @@ HWY_INLINE HWY_ATTR auto outside(const Sheared<V>& s) {
     return outside(s.u(), s.v(), s.w());
 }
 
-// Steps 4 to 6, but for the range of t.
+// Steps 4 to 6, but for the range of t. V: of doubles.
+template <class V>
 struct Decided {
-    hn::Vec<Dfd> t; // NaN: no hit
-    hn::Vec<Dfd> u, v;
-    hn::Vec<Dfd> det; // its sign; not of t, which is that of det and dz together
+    using D = hn::Rebind<float, hn::DFromV<V>>;
+    hn::Vec<D> t; // NaN: no hit
+    hn::Vec<D> u, v;
+    hn::Vec<D> det; // its sign; not of t, which is that of det and dz together
 };
 
 // Products of two floats are exact in double, so a fused multiply-subtract rounds as the canonical
 // product and difference do. Inside: the edge functions are known to agree in sign.
-template <bool Inside>
-HWY_INLINE HWY_ATTR Decided decide(Vd ax, Vd ay, Vd bx, Vd by, Vd cx, Vd cy, Vd az, Vd bz, Vd cz,
-                                   Vd dz) {
-    const Vd u = hn::MulSub(cx, by, hn::Mul(cy, bx));
-    const Vd v = hn::MulSub(ax, cy, hn::Mul(ay, cx));
-    const Vd w = hn::MulSub(bx, ay, hn::Mul(by, ax));
-    const Vd det = hn::Add(hn::Add(u, v), w);
-    const Vd depth = hn::Add(hn::Add(hn::Mul(u, az), hn::Mul(v, bz)), hn::Mul(w, cz));
+template <bool Inside, class V>
+HWY_INLINE HWY_ATTR Decided<V> decide(V ax, V ay, V bx, V by, V cx, V cy, V az, V bz, V cz, V dz) {
+    constexpr hn::DFromV<V> d;
+    constexpr typename Decided<V>::D f;
+    const V u = hn::MulSub(cx, by, hn::Mul(cy, bx));
+    const V v = hn::MulSub(ax, cy, hn::Mul(ay, cx));
+    const V w = hn::MulSub(bx, ay, hn::Mul(by, ax));
+    const V det = hn::Add(hn::Add(u, v), w);
+    const V depth = hn::Add(hn::Add(hn::Mul(u, az), hn::Mul(v, bz)), hn::Mul(w, cz));
     // Where the signs agree and det is 0, all are 0, and t is 0 times infinity: NaN, no hit.
-    const Vd r = hn::Div(hn::Set(kD, 1.0), hn::Mul(det, dz));
-    Vd t = hn::Mul(depth, r);
+    const V r = hn::Div(hn::Set(d, 1.0), hn::Mul(det, dz));
+    V t = hn::Mul(depth, r);
     if (!Inside)
-        t = hn::IfThenElse(outside(u, v, w), hn::Set(kD, std::numeric_limits<double>::quiet_NaN()),
+        t = hn::IfThenElse(outside(u, v, w), hn::Set(d, std::numeric_limits<double>::quiet_NaN()),
                            t);
-    return {hn::DemoteTo(kFd, t), hn::DemoteTo(kFd, hn::Mul(hn::Mul(v, dz), r)),
-            hn::DemoteTo(kFd, hn::Mul(hn::Mul(w, dz), r)), hn::DemoteTo(kFd, det)};
+    return {hn::DemoteTo(f, t), hn::DemoteTo(f, hn::Mul(hn::Mul(v, dz), r)),
+            hn::DemoteTo(f, hn::Mul(hn::Mul(w, dz), r)), hn::DemoteTo(f, det)};
 }
 
 } // namespace peregrine::trace::HWY_NAMESPACE

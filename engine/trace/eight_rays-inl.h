@@ -47,28 +47,38 @@ struct Named {
     }
 };
 
-// What is left to decide of `maybe` once Decided is known of both halves: the lanes that are hit
-// within [t_min, t_max].
-HWY_INLINE HWY_ATTR EightHits join(const Decided& low, const Decided& high, V8 dz, M8 maybe,
-                                   V8 t_min, V8 t_max) {
+// Of the lanes of `maybe` those that are hit within [t_min, t_max]. `decide(part)` is Decided of
+// what part(V8) takes of eight lanes.
+template <class Decide>
+HWY_INLINE HWY_ATTR EightHits decide_parts(Decide&& decide, V8 dz, M8 maybe, V8 t_min, V8 t_max) {
     EightHits hits;
-    hits.t = hn::Combine(k8, high.t, low.t);
+    V8 det;
+    if constexpr (kHalves) {
+        const auto low = decide([](V8 x) HWY_ATTR { return promote_low(x); });
+        const auto high = decide([](V8 x) HWY_ATTR { return promote_high(x); });
+        hits.t = hn::Combine(k8, high.t, low.t);
+        hits.u = hn::Combine(k8, high.u, low.u);
+        hits.v = hn::Combine(k8, high.v, low.v);
+        det = hn::Combine(k8, high.det, low.det);
+    } else {
+        const auto all = decide([](auto x) HWY_ATTR { return hn::PromoteTo(DHalf(), x); });
+        hits.t = all.t;
+        hits.u = all.u;
+        hits.v = all.v;
+        det = all.det;
+    }
     const V8 end = hn::Min(t_max, hn::Set(k8, kLargestFloat));
     hits.lanes = hn::And(maybe, hn::And(hn::Ge(hits.t, t_min), hn::Le(hits.t, end)));
-    hits.u = hn::Combine(k8, high.u, low.u);
-    hits.v = hn::Combine(k8, high.v, low.v);
-    const V8 det = hn::Combine(k8, high.det, low.det);
     hits.back = hn::And(hn::BitCast(k8u, hn::Xor(det, dz)), hn::Set(k8u, kBackFaceKey));
     return hits;
 }
 
 HWY_INLINE HWY_ATTR EightHits decide(const Sheared<V8>& s, V8 dz, M8 maybe, V8 t_min, V8 t_max) {
-    const auto half = [&](auto part) HWY_ATTR __attribute__((always_inline)) {
+    const auto of = [&](auto part) HWY_ATTR __attribute__((always_inline)) {
         return decide<false>(part(s.ax), part(s.ay), part(s.bx), part(s.by), part(s.cx), part(s.cy),
                              part(s.az), part(s.bz), part(s.cz), part(dz));
     };
-    return join(half([](V8 x) HWY_ATTR { return promote_low(x); }),
-                half([](V8 x) HWY_ATTR { return promote_high(x); }), dz, maybe, t_min, t_max);
+    return decide_parts(of, dz, maybe, t_min, t_max);
 }
 
 // comes_first of trace/kernels.h, lane by lane.

@@ -91,7 +91,7 @@ enum class Coherence : uint32_t {
 
 // A square of an image's pixels. The ray of pixel (x, y) has the direction
 //     (corner + right * (x + 0.5)) + down * (y + 0.5)
-// in float, each operation rounded, no t_min and no t_max.
+// in float, each operation rounded, and t from 0 to infinity.
 struct ImageTile {
     static constexpr uint32_t kSide = 32;
     math::Vec3 corner, right, down;

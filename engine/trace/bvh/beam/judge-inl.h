@@ -22,14 +22,14 @@ using namespace trace::HWY_NAMESPACE;
 // of the loop.
 struct Judge {
     V8 x[3], y[3], z[3];
-    Vd z_double[3];
+    VHalf z_double[3];
 
     HWY_INLINE HWY_ATTR Judge(const float (&vertex)[3][3][4], uint32_t lane) {
         for (int i = 0; i < 3; ++i) {
             x[i] = hn::Set(k8, vertex[i][0][lane]);
             y[i] = hn::Set(k8, vertex[i][1][lane]);
             z[i] = hn::Set(k8, vertex[i][2][lane]);
-            z_double[i] = hn::Set(kD, double(vertex[i][2][lane]));
+            z_double[i] = hn::Set(DHalf(), double(vertex[i][2][lane]));
         }
     }
 };
@@ -42,12 +42,11 @@ HWY_INLINE HWY_ATTR EightHits judge(const Judge& facet, V8 sx, V8 sy, V8 dz, M8 
     const V8 ax = shear(facet.x[0], sx, facet.z[0]), ay = shear(facet.y[0], sy, facet.z[0]);
     const V8 bx = shear(facet.x[1], sx, facet.z[1]), by = shear(facet.y[1], sy, facet.z[1]);
     const V8 cx = shear(facet.x[2], sx, facet.z[2]), cy = shear(facet.y[2], sy, facet.z[2]);
-    const auto half = [&](auto part) HWY_ATTR __attribute__((always_inline)) {
+    const auto of = [&](auto part) HWY_ATTR __attribute__((always_inline)) {
         return decide<Inside>(part(ax), part(ay), part(bx), part(by), part(cx), part(cy),
                               facet.z_double[0], facet.z_double[1], facet.z_double[2], part(dz));
     };
-    return join(half([](V8 x) HWY_ATTR { return promote_low(x); }),
-                half([](V8 x) HWY_ATTR { return promote_high(x); }), dz, maybe, t_min, t_max);
+    return decide_parts(of, dz, maybe, t_min, t_max);
 }
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE

@@ -54,7 +54,7 @@ HWY_INLINE HWY_ATTR bool decide_block(const Sheared<V4>& s, Vd dz, float t_min, 
     hits.lanes = hits.back_faces = 0;
     for (size_t first = 0; first < 4; first += kLanesD) {
         const auto part = [first](V4 x) HWY_ATTR { return promote_part(x, first); };
-        const Decided decided =
+        const auto decided =
             decide<false>(part(s.ax), part(s.ay), part(s.bx), part(s.by), part(s.cx), part(s.cy),
                           part(s.az), part(s.bz), part(s.cz), dz);
         const auto in_range =
