@@ -19,8 +19,8 @@ Seconds Seconds::now() {
 }
 
 FrameStage::FrameStage(const rt_api& api, const host::Level& level, uint32_t threads,
-                       rt_light_proofs proofs)
-    : stage_(api, threads, RT_ISA_BEST), report_(rt_default_commit_report()) {
+                       rt_light_proofs proofs, rt_isa isa)
+    : stage_(api, threads, isa), report_(rt_default_commit_report()) {
     host::Player player(stage_, level, host::upload_level(stage_, level, kAmbient));
     player.describe(0);
     rt_commit_desc commit = rt_default_commit_desc();

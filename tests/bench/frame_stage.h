@@ -36,7 +36,7 @@ class FrameStage {
 public:
     // `proofs`: whether the commit proves what a shaded frame would trace.
     FrameStage(const rt_api& api, const host::Level& level, uint32_t threads,
-               rt_light_proofs proofs);
+               rt_light_proofs proofs, rt_isa isa = RT_ISA_BEST);
 
     RenderedFrame render(Look look, const host::Viewpoint& view, FrameMemory& memory) const {
         return render(memory.frame(look), view);

@@ -60,6 +60,12 @@ void add_threads_option(CLI::App& command, Options& options) {
         ->check(CLI::Range(1, 256));
 }
 
+void add_isa_option(CLI::App& command, Options& options) {
+    command.add_option("--isa", options.isa, "best, scalar, sse4, avx2 or avx512")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"best", "scalar", "sse4", "avx2", "avx512"}));
+}
+
 void add_structure_options(CLI::App& command, Options& options) {
     command.add_option("--structure", options.structure, "auto, kdtree, bvh or bih")
         ->capture_default_str()
@@ -79,9 +85,7 @@ void add_trace_options(CLI::App& trace, Options& options) {
         ->delimiter(',')
         ->check(CLI::IsMember({"P", "S", "A", "D", "R", "L", "N"}));
     add_structure_options(trace, options);
-    trace.add_option("--isa", options.isa, "best, scalar, sse4, avx2 or avx512")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"best", "scalar", "sse4", "avx2", "avx512"}));
+    add_isa_option(trace, options);
     trace
         .add_option("--mode", options.modes,
                     "Our modes: single, batch, \"batch, hint\", arrays, frame; default: all")
@@ -126,6 +130,7 @@ void add_frame_options(CLI::App& frame, Options& options) {
 }
 
 void add_prices_options(CLI::App& prices, Options& options) {
+    add_isa_option(prices, options);
     prices.add_option("--size", options.frame_size, "Width and height, as 1280x720")
         ->capture_default_str();
     prices.add_option("--pictures", options.pictures, "Write all pictures to this folder as well");

@@ -1,5 +1,6 @@
 #include "peregrine_tracer.h"
 
+#include "isa_name.h"
 #include "peregrine_modes.h"
 
 #include <map>
@@ -7,14 +8,6 @@
 
 namespace peregrine::bench {
 namespace {
-
-rt_isa to_isa(const std::string& name) {
-    static const std::map<std::string, rt_isa> isas = {
-        {"best", RT_ISA_BEST}, {"scalar", RT_ISA_SCALAR}, {"sse4", RT_ISA_SSE4},
-        {"avx2", RT_ISA_AVX2}, {"avx512", RT_ISA_AVX512},
-    };
-    return isas.at(name);
-}
 
 rt_commit_desc to_commit(const TracerChoice& choice) {
     static const std::map<std::string, rt_structure> structures = {{"auto", RT_STRUCTURE_AUTO},

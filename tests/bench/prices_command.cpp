@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "frame_stage.h"
 #include "image_size.h"
+#include "isa_name.h"
 #include "means.h"
 #include "timing.h"
 
@@ -111,7 +112,7 @@ public:
         : options_(options), name_(std::filesystem::path(file).stem().string()),
           level_(host::gltf::import_file(file)), views_(standing_cameras(level_)),
           size_(parse_image_size(options.frame_size)),
-          stage_(api, level_, options.threads, RT_LIGHT_PROOFS_KEPT) {}
+          stage_(api, level_, options.threads, RT_LIGHT_PROOFS_KEPT, to_isa(options.isa)) {}
 
     nlohmann::json run() {
         std::vector<Price> sums(std::size(kSettings));

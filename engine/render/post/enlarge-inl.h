@@ -62,11 +62,16 @@ HWY_INLINE Vf load_tap(const TapRow& row, int channel, int column, uint32_t i) {
     return hn::Load(kF, row.tap[channel][column] + i);
 }
 
+// Of the 16 taps; these four are left out.
+constexpr bool is_corner(int row, int column) {
+    return (row == 0 || row == 3) && (column == 0 || column == 3);
+}
+
 HWY_INLINE Change find_change(const TapRow* const rows[4], uint32_t i, Vf x, Vf y) {
     Vf bright[4][4];
     for (int r = 0; r < 4; ++r)
         for (int k = 0; k < 4; ++k) {
-            if ((r == 0 || r == 3) && (k == 0 || k == 3)) continue;
+            if (is_corner(r, k)) continue;
             const Vf sides = hn::Add(load_tap(*rows[r], 0, k, i), load_tap(*rows[r], 2, k, i));
             bright[r][k] = hn::Add(hn::Mul(sides, splat(0.25f)),
                                    hn::Mul(load_tap(*rows[r], 1, k, i), splat(0.5f)));
@@ -82,7 +87,7 @@ HWY_INLINE Change find_change(const TapRow* const rows[4], uint32_t i, Vf x, Vf 
     return change;
 }
 
-// What the 16 taps give, kept between the four in the middle: no halos.
+// What the 12 taps give, kept between the four in the middle: no halos.
 struct TapSum {
     Vf sum, least, most;
 
@@ -111,6 +116,7 @@ HWY_ATTR void enlarge_row(const TapRow* const rows[4], const float* between, flo
             const Vf by_row = hn::Mul(hn::Mul(distance.c, dy), dy);
             const Vf mixed = hn::Mul(distance.b, dy);
             for (int k = 0; k < 4; ++k) {
+                if (is_corner(r, k)) continue;
                 const Vf dx = hn::Sub(splat(float(k - 1)), x);
                 const Vf by_column = hn::Mul(hn::Add(hn::Mul(distance.a, dx), mixed), dx);
                 const Vf weight = tap_weight(hn::Add(by_row, by_column));
