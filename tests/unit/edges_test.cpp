@@ -116,7 +116,7 @@ TEST(Edges, AreTheSameForAnyThreadsAndInstructionSets) {
             EXPECT_GT(expected.stats.rays_edge, 100u);
             for (const base::Isa isa : {base::Isa::sse4, base::Isa::avx2, base::Isa::avx512})
                 for (const uint32_t threads : {1u, 3u}) {
-                    if (!base::machine_has(isa)) continue;
+                    if (!base::is_available(isa)) continue;
                     EdgeScene world(threads, isa);
                     const Picture picture = take_picture(world, Camera{}, frame);
                     EXPECT_EQ(picture.pixels, expected.pixels) << int(isa);

@@ -90,7 +90,7 @@ TEST(Enlarging, IsTheSameForAnyThreadsAndInstructionSets) {
         frame.tone_mapping = tones;
         const Picture expected = take_picture(plain, Camera{}, frame);
         for (const base::Isa isa : {base::Isa::sse4, base::Isa::avx2, base::Isa::avx512}) {
-            if (!base::machine_has(isa)) continue;
+            if (!base::is_available(isa)) continue;
             HalfPlane world(3, isa);
             EXPECT_EQ(take_picture(world, Camera{}, frame).pixels, expected.pixels) << int(isa);
         }

@@ -155,14 +155,14 @@ TEST(Mipmaps, AreTheSameForARayAloneAndInABatch) {
         Frame frame = frame_of(TextureFilter::mipmaps, 32, 32);
         frame.pixels = &frame;
         base::Vector<shade::PreparedLight> lights(&world.scene.memory);
-        const Plan plan(*pin.get(), {}, frame, lights);
+        const Plan plan(*pin.get(), {}, frame, lights, nullptr);
         const auto buffers = std::make_unique<TileBuffers>();
         begin_primary_rays(plan, *buffers);
         buffers->tile.place(0, 32, 32);
         trace_primary_rays(plan, *buffers);
         const auto alone = std::make_unique<shade::Scratch>();
         buffers->for_each_batch([&](const shade::RayHits& hits, uint32_t) {
-            plan.shader.find_surfaces(hits, buffers->scratch);
+            plan.shader.find_surfaces(hits, shade::SurfacePart::all, buffers->scratch);
             for (uint32_t i = 0; i < hits.count; ++i) {
                 const shade::RayHits one = {
                     {hits.direction[0] + i, hits.direction[1] + i, hits.direction[2] + i},
@@ -173,7 +173,7 @@ TEST(Mipmaps, AreTheSameForARayAloneAndInABatch) {
                     hits.t + i,
                     1,
                     hits.footprint};
-                plan.shader.find_surfaces(one, *alone);
+                plan.shader.find_surfaces(one, shade::SurfacePart::all, *alone);
                 for (int k = 0; k < 3; ++k)
                     ASSERT_EQ(alone->surface.emissive[k][0],
                               buffers->scratch.surface.emissive[k][i]);
