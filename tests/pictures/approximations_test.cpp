@@ -49,7 +49,7 @@ protected:
 
     std::vector<rt_camera> cameras() const {
         std::vector<rt_camera> all;
-        for (const host::Camera& camera : level_.cameras) all.push_back(host::camera_of(camera));
+        for (const auto& camera : level_.cameras) all.push_back(host::camera_of(camera));
         return all;
     }
 
