@@ -8,8 +8,8 @@ namespace peregrine::render {
 namespace {
 
 constexpr GovernorLevel kLevels[] = {
-    {8, 0.03f, 8, 0.5f, 8, 1.0f, "light in blocks of 8, 8 rays at edges"},
-    {8, 0.06f, 8, 0.5f, 8, 1.05f, "light in coarse blocks of 8, 8 rays at edges"},
+    {1, 0, 8, 0.5f, 8, 1.0f, "light at every pixel, 8 rays at edges"},
+    {8, 0.06f, 8, 0.5f, 8, 1.05f, "light in blocks of 8, 8 rays at edges"},
     {16, 0.1f, 8, 0.5f, 8, 1.1f, "light in coarse blocks of 16, 8 rays at edges"},
     {16, 0.1f, 4, 0.3f, 8, 1.2f, "light in coarse blocks of 16, 4 rays at edges"},
     {16, 0.1f, 4, 0.1f, 8, 1.2f, "light in coarse blocks of 16, 4 rays at the strongest edges"},

@@ -92,9 +92,11 @@ void expect_pixels(const std::string& name, const std::string& how, const host::
     expect_golden(name, how, picture);
 }
 
-// As rt_default_frame_desc() has it.
+// With light in blocks.
 rt_frame_desc direct_frame_of(uint32_t width, uint32_t height) {
     rt_frame_desc frame = rt_default_frame_desc();
+    frame.light_block = 8;
+    frame.light_tolerance = 0.03f;
     frame.width = width;
     frame.height = height;
     return frame;

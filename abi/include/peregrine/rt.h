@@ -1212,8 +1212,6 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.exposure = 1.0f;
     desc.depth_range = 50.0f;
     desc.steps_range = 100.0f;
-    desc.light_block = 8;
-    desc.light_tolerance = 0.03f;
     desc.texture_filter = RT_TEXTURE_MIPMAPS;
     return desc;
 }

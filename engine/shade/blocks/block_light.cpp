@@ -14,7 +14,7 @@ constexpr float kHighlightShare = 0.2f; // of all light, below which highlights 
 
 void TileLight::begin(uint32_t ray_count) {
     std::fill_n(found, ray_count, false);
-    std::fill_n(wanted, ray_count, false);
+    std::fill_n(wanted, ray_count, uint8_t(0));
     for (List& list : pending) list.count = 0;
     uneven.count = 0;
     known_count = 0;
@@ -172,10 +172,11 @@ void BlockLight::want_all(const Block& block, TileLight& out) const {
 // Finds light where it is wanted, in the order of the rays.
 void BlockLight::find_wanted(const TileHits& hits, SurfacePart part, TileLight& out,
                              Scratch& scratch) const {
+    const uint8_t want = part == SurfacePart::smooth ? TileLight::kAsSample : TileLight::kAsPixel;
     uint32_t count = 0;
     for (uint32_t i = 0; i < hits.count; ++i) {
-        if (!out.wanted[i]) continue;
-        out.wanted[i] = false;
+        if (!(out.wanted[i] & want)) continue;
+        out.wanted[i] &= uint8_t(~want);
         out.ray[count++] = i;
         if (count < kBatch) continue;
         find_batch(hits, part, count, out, scratch);

@@ -28,6 +28,10 @@ struct TileHits {
 struct alignas(64) TileLight {
     static constexpr uint32_t kPaddedRays = kMostTileRays + 16;
     using Lanes = float[kPaddedRays];
+    enum Want : uint8_t {
+        kAsSample = 1, // now, without normal maps
+        kAsPixel = 2,  // in the end
+    };
 
     Lanes irradiance[3];
     Lanes highlight[3]; // with Program::highlight
@@ -41,7 +45,7 @@ struct alignas(64) TileLight {
     bool found[kMostTileRays];
 
     // Where it is to be found next, and what is known there: index in `known`.
-    bool wanted[kMostTileRays];
+    uint8_t wanted[kMostTileRays]; // bits of Want
     uint16_t known_of[kMostTileRays];
 
     // By log2(side) - 2.
@@ -78,12 +82,14 @@ struct alignas(64) TileLight {
         known[known_count] = found_marks;
         return uint16_t(known_count++);
     }
-    void want(uint32_t ray, uint16_t known_index) { // without normal maps
-        wanted[ray] = !found[ray];
+    void want(uint32_t ray, uint16_t known_index) {
+        if (found[ray]) return;
+        wanted[ray] |= kAsSample;
         known_of[ray] = known_index;
     }
     void want_whole(uint32_t ray, uint16_t known_index) {
-        wanted[ray] = !found[ray] || relief[ray];
+        if (found[ray] && !relief[ray]) return;
+        wanted[ray] |= kAsPixel;
         known_of[ray] = known_index;
     }
 };
