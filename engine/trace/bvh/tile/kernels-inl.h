@@ -160,8 +160,8 @@ private:
                                           M8 maybe) {
         const V8 dz = hn::Load(k8, direction_z_ + at);
         const EightHits hits =
-            judge<Inside>(facet, hn::Load(k8, tile_.sx + at), hn::Load(k8, tile_.sy + at), dz, maybe,
-                         hn::Zero(k8), board_.best(at));
+            judge<Inside>(facet, hn::Load(k8, tile_.sx + at), hn::Load(k8, tile_.sy + at), dz,
+                          maybe, hn::Zero(k8), board_.best(at));
         const V8u keys = keys_of(index, hits);
         M8 wins = board_.find_wins(at, hits, keys);
         if (hn::AllFalse(k8, wins)) return false;
