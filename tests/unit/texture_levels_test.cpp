@@ -86,10 +86,10 @@ TEST(TextureLevels, OfPowersOfTwoAreExact) {
 
 TEST(TextureLevels, EndAtOneTexelAndLieBehindEachOther) {
     for (const auto& [width, height, count, texels] : {std::array{1u, 1u, 1u, 1u},
-                                                      {4u, 4u, 3u, 21u},
-                                                      {5u, 3u, 3u, 18u},
-                                                      {16384u, 1u, 15u, 32767u},
-                                                      {1u, 3u, 2u, 4u}}) {
+                                                       {4u, 4u, 3u, 21u},
+                                                       {5u, 3u, 3u, 18u},
+                                                       {16384u, 1u, 15u, 32767u},
+                                                       {1u, 3u, 2u, 4u}}) {
         Levels<uint16_t> levels(width, height, noise);
         EXPECT_EQ(levels.texture.level_count, count);
         EXPECT_EQ(levels.texture.texels.size(), texels * 8u);

@@ -142,8 +142,7 @@ private:
         const uint32_t place = uint32_t(to.size());
         BinaryNode& added = to.emplace_back();
         if (item < kChunk) {
-            added.set(bounds_of(triangles_[keys_[item].item]), next_member_,
-                      BinaryNode::kLeaf | 1);
+            added.set(bounds_of(triangles_[keys_[item].item]), next_member_, BinaryNode::kLeaf | 1);
             return add_members(item);
         }
         const BinaryNode& node = s_.nodes[item - kChunk];
