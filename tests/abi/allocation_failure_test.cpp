@@ -223,6 +223,9 @@ TEST_P(AllocationFailure, Remove) {
     exhaust([](const World& world) { return rt_remove_mesh(world.scene, world.lift); }, 0);
 }
 
+// What a thread works with is kept for the next frame.
+constexpr uint64_t kFrameMemory = 400'000;
+
 TEST_P(AllocationFailure, RenderFrame) {
     exhaust(
         [](const World& world) {
@@ -236,7 +239,7 @@ TEST_P(AllocationFailure, RenderFrame) {
             EXPECT_TRUE(result == RT_OK || pixels == Bytes(48 * 40 * 4, 0x77)) << "pixels written";
             return result;
         },
-        1);
+        1, GetParam() * kFrameMemory);
 }
 
 TEST_P(AllocationFailure, QueriesNeedNoMemory) {

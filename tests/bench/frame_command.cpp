@@ -150,7 +150,10 @@ private:
         FrameMemory truth(size_.width, size_.height);
         row.flip_mean = row.flip_worst_tile = 0;
         for (const host::Viewpoint& view : views_) {
-            exact->render(Look::exact, view, truth);
+            // Filters have a truth of their own: the command `prices`, and TextureFilter.
+            rt_frame_desc exact_frame = truth.frame(Look::exact);
+            exact_frame.texture_filter = truth.frame(entrant.look).texture_filter;
+            exact->render(exact_frame, view);
             entrant.stage->render(entrant.look, view, memory_);
             if (truth.pixels == memory_.pixels) continue; // no error anywhere
             const test::FlipMap error =
