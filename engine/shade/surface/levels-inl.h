@@ -55,20 +55,21 @@ template <class Channel>
 HWY_INLINE void fetch_taps(const scene::Texture& texture, const LevelTaps* levels, uint32_t count,
                            float* rgba) {
     const auto* texels = reinterpret_cast<const Channel*>(texture.texels.data());
+    const auto sample = [&](uint32_t n, int32_t k, uint32_t j) HWY_ATTR {
+        const LevelTaps& taps = levels[n];
+        const Channel* const level = texels + size_t(texture.level_first[taps.level[j]]) * 4;
+        const Texel texel = fetch_sample(level, texture.sampling, taps.addresses[k], j);
+        return scale_texel(texel, taps.share[j]);
+    };
     for (uint32_t j = 0; j < count; ++j) {
-        bool is_first = true;
-        for (uint32_t n = 0; n < 2; ++n) {
-            const LevelTaps& taps = levels[n];
-            const Channel* const level = texels + size_t(texture.level_first[taps.level[j]]) * 4;
-            for (int32_t k = 0; k < taps.count[j]; ++k) {
-                const Texel sample = fetch_sample(level, texture.sampling, taps.addresses[k], j);
-                if (is_first)
-                    store_texel(scale_texel(sample, taps.share[j]), rgba + 4 * j);
-                else
-                    add_texel(sample, taps.share[j], rgba + 4 * j);
-                is_first = false;
-            }
-        }
+        // The finer level has taps unless all is of the next one.
+        const uint32_t first = levels[0].count[j] > 0 ? 0 : 1;
+        Texel sum = sample(first, 0, j);
+        for (int32_t k = 1; k < levels[first].count[j]; ++k)
+            sum = add_texel(sum, sample(first, k, j));
+        if (first == 0)
+            for (int32_t k = 0; k < levels[1].count[j]; ++k) sum = add_texel(sum, sample(1, k, j));
+        store_texel(sum, rgba + 4 * j);
     }
 }
 

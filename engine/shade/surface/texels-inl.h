@@ -44,8 +44,8 @@ HWY_INLINE void store_texel(const Texel& t, float* out) {
 HWY_INLINE Texel scale_texel(const Texel& t, float weight) {
     return each_channel([&](int k) HWY_ATTR { return t.c[k] * weight; });
 }
-HWY_INLINE void add_texel(const Texel& t, float weight, float* sum) {
-    for (int k = 0; k < 4; ++k) sum[k] += t.c[k] * weight;
+HWY_INLINE Texel add_texel(const Texel& a, const Texel& b) {
+    return each_channel([&](int k) HWY_ATTR { return a.c[k] + b.c[k]; });
 }
 #else
 using D4 = hn::FixedTag<float, 4>;
@@ -68,8 +68,8 @@ HWY_INLINE void store_texel(Texel t, float* out) {
 HWY_INLINE Texel scale_texel(Texel t, float weight) {
     return hn::Mul(t, hn::Set(kTexel, weight));
 }
-HWY_INLINE void add_texel(Texel t, float weight, float* sum) {
-    hn::Store(hn::Add(hn::Load(kTexel, sum), hn::Mul(t, hn::Set(kTexel, weight))), kTexel, sum);
+HWY_INLINE Texel add_texel(Texel a, Texel b) {
+    return hn::Add(a, b);
 }
 #endif
 
