@@ -12,7 +12,7 @@ namespace peregrine::shade {
 struct PixelGroups {
     static constexpr uint32_t kMost = 4;
     static constexpr uint8_t kNone = 0xff;
-    static constexpr float kDepth = 2; // of a group, in sides of the block
+    static constexpr float kDepth = 1; // of a group, in sides of the block
 
     uint32_t count = 0;
     uint8_t first[kMost], last[kMost]; // pixels
