@@ -158,6 +158,11 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--ambient", options.ambient, "light from everywhere [0.15; in the game 0.05]")
         ->check(CLI::Range(0.0, 1e6));
     app.add_flag("--no-shadows", options.no_shadows, "lights shine through everything");
+    app.add_option(
+           "--light-block", options.light_block,
+           "with --view-only or --headless: find light in blocks of 4, 8 or 16 pixels [0: at "
+           "every pixel]")
+        ->check(CLI::IsMember({0, 1, 4, 8, 16}));
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
     app.add_flag("--list-pads", options.list_pads,
                  "print the gamepads and how they are read, and quit");

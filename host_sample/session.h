@@ -35,6 +35,7 @@ struct Session {
         frame.height = frame_height;
         frame.view = options.view;
         frame.no_shadows = options.no_shadows;
+        frame.light_block = options.light_block;
         const double diagonal = level.bounds.diagonal();
         if (diagonal > 0.0) frame.depth_range = static_cast<float>(diagonal);
         return frame;

@@ -7,6 +7,12 @@
 
 namespace host {
 
+namespace {
+
+constexpr float light_tolerance = 0.03f; // of light in blocks
+
+} // namespace
+
 Stage::Stage(const rt_api& api, uint32_t threads, rt_isa isa) : api_(api) {
     rt_scene_desc desc = rt_default_scene_desc();
     desc.worker_count = threads;
@@ -53,6 +59,8 @@ rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, voi
     desc.exposure = frame.exposure;
     desc.depth_range = frame.depth_range;
     desc.no_shadows = frame.no_shadows ? 1 : 0;
+    desc.light_block = frame.light_block;
+    desc.light_tolerance = light_tolerance;
     desc.snapshot = frame.snapshot;
     desc.render_width = frame.traced_width;
     desc.render_height = frame.traced_height;

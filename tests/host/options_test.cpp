@@ -50,11 +50,13 @@ TEST_F(OptionsTest, ReadsValues) {
     EXPECT_EQ(parsed.options->animation, "walk");
     EXPECT_EQ(parsed.options->time, 1.5);
     EXPECT_EQ(parsed.options->time_step, 0.0);
+    EXPECT_EQ(parse({"--light-block", "8"}).options->light_block, 8u);
 }
 
 TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
     for (const auto& arguments : std::initializer_list<std::initializer_list<const char*>>{
              {"--size", "64"},
+             {"--light-block", "7"},
              {"--size", "0x64"},
              {"--size", "-1x64"},
              {"--size", "64x99999"},
