@@ -1,5 +1,8 @@
 #include "scene/texture_levels.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <type_traits>
 
 namespace peregrine::scene {
@@ -31,17 +34,33 @@ private:
         : first(first_), count(count_), weight{a, b, c} {}
 };
 
+// Bytes, as the host's memory may begin anywhere.
+template <class Channel>
+struct Texel {
+    Channel c[4];
+};
+
 template <class Channel>
 struct Level {
-    Channel* texels;
+    std::byte* texels;
     uint32_t width, height;
 
     Level(Texture& texture, uint32_t level)
-        : texels(reinterpret_cast<Channel*>(texture.texels.data())
-                 + size_t(texture.level_first[level]) * 4),
+        : texels(texture.texels.data()
+                 + size_t(texture.level_first[level]) * sizeof(Texel<Channel>)),
           width(texture.level_width(level)), height(texture.level_height(level)) {}
 
-    Channel* at(uint32_t x, uint32_t y) const { return texels + (size_t(y) * width + x) * 4; }
+    std::byte* at(uint32_t x, uint32_t y) const {
+        return texels + (size_t(y) * width + x) * sizeof(Texel<Channel>);
+    }
+    Texel<Channel> load(uint32_t x, uint32_t y) const {
+        Texel<Channel> texel;
+        std::memcpy(&texel, at(x, y), sizeof texel);
+        return texel;
+    }
+    void store(uint32_t x, uint32_t y, const Texel<Channel>& texel) const {
+        std::memcpy(at(x, y), &texel, sizeof texel);
+    }
 };
 
 template <class Channel>
@@ -59,19 +78,21 @@ template <class Channel>
 struct Sum {
     double plain[4] = {}, by_alpha[3] = {}, opacity = 0;
 
-    void add(const Channel* texel, double weight) {
-        const double opaque = weight * std::clamp(double(texel[3]), 0.0, kOne<Channel>);
-        for (int k = 0; k < 4; ++k) plain[k] += weight * double(texel[k]);
-        for (int k = 0; k < 3; ++k) by_alpha[k] += opaque * double(texel[k]);
+    void add(const Texel<Channel>& texel, double weight) {
+        const double opaque = weight * std::clamp(double(texel.c[3]), 0.0, kOne<Channel>);
+        for (int k = 0; k < 4; ++k) plain[k] += weight * double(texel.c[k]);
+        for (int k = 0; k < 3; ++k) by_alpha[k] += opaque * double(texel.c[k]);
         opacity += opaque;
     }
 
-    void store(Channel* out) const {
+    Texel<Channel> mean() const {
+        Texel<Channel> out;
         // Of what is as opaque as each other the plain mean is the more exact one.
         const bool is_plain = opacity == 0 || opacity == kOne<Channel>;
         for (int k = 0; k < 3; ++k)
-            out[k] = rounded<Channel>(is_plain ? plain[k] : by_alpha[k] / opacity);
-        out[3] = rounded<Channel>(plain[3]);
+            out.c[k] = rounded<Channel>(is_plain ? plain[k] : by_alpha[k] / opacity);
+        out.c[3] = rounded<Channel>(plain[3]);
+        return out;
     }
 };
 
@@ -84,9 +105,9 @@ void fill(const Level<Channel>& before, const Level<Channel>& out) {
             Sum<Channel> sum;
             for (uint32_t j = 0; j < rows.count; ++j)
                 for (uint32_t i = 0; i < columns.count; ++i)
-                    sum.add(before.at(columns.first + i, rows.first + j),
+                    sum.add(before.load(columns.first + i, rows.first + j),
                             columns.weight[i] * rows.weight[j]);
-            sum.store(out.at(x, y));
+            out.store(x, y, sum.mean());
         }
     }
 }

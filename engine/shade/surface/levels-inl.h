@@ -57,7 +57,8 @@ HWY_INLINE void fetch_taps(const scene::Texture& texture, const LevelTaps* level
     const auto* texels = reinterpret_cast<const Channel*>(texture.texels.data());
     const auto sample = [&](uint32_t n, int32_t k, uint32_t j) HWY_ATTR {
         const LevelTaps& taps = levels[n];
-        const Channel* const level = texels + size_t(texture.level_first[taps.level[j]]) * 4;
+        const Channel* const level =
+            texels + size_t(texture.level_first[size_t(taps.level[j])]) * 4;
         const Texel texel = fetch_sample(level, texture.sampling, taps.addresses[k], j);
         return scale_texel(texel, taps.share[j]);
     };
