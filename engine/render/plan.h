@@ -35,6 +35,7 @@ struct Plan {
     // `film` is for the frames that need one.
     Plan(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
          base::Vector<shade::PreparedLight>& moved_lights, Film* film);
+    Plan(const Plan&) = delete; // its parts refer to each other
 
     std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
