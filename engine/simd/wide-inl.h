@@ -21,6 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Df = hn::ScalableTag<float>;
 using Du = hn::ScalableTag<uint32_t>;
 using Vf = hn::Vec<Df>;
+using Vu = hn::Vec<Du>;
 using Mf = hn::Mask<Df>;
 inline constexpr Df kF;
 inline constexpr Du kU;

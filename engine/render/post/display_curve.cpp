@@ -47,8 +47,11 @@ DisplayCurve::DisplayCurve(double (*inverse)(double)) {
     threshold_[256] = std::numeric_limits<float>::infinity();
     uint32_t code = 0;
     for (uint32_t bin = 0; bin < kBins; ++bin) {
-        while (threshold_[code + 1] <= std::bit_cast<float>((kFirstBin + bin) << kShift)) ++code;
-        first_code_[bin] = uint8_t(code);
+        const uint32_t first = (kFirstBin + bin) << kShift;
+        while (threshold_[code + 1] <= std::bit_cast<float>(first)) ++code;
+        const uint32_t until_next = std::bit_cast<uint32_t>(threshold_[code + 1]) - first;
+        const uint32_t carried = until_next <= kLowerBits ? kLowerBits + 1 - until_next : 0;
+        bins_[bin] = (code << kShift) + carried;
     }
 }
 

@@ -1,7 +1,7 @@
 #include "render/post/encode.h"
 
-#include "render/post/display_curve.h"
 #include "render/post/half.h"
+#include "render/post/kernels.h"
 #include "render/post/tones.h"
 
 namespace peregrine::render::post {
@@ -26,30 +26,24 @@ struct Floats {
 };
 
 // 8-bit images take their tones on the way: see DisplayCurve.
-struct Display {
-    const DisplayCurve& curve;
-    float exposure;
-
-    explicit Display(const Frame& frame)
-        : curve(frame.tone_mapping == ToneMapping::filmic ? DisplayCurve::filmic()
-                                                          : DisplayCurve::clamp()),
-          exposure(frame.tone_mapping == ToneMapping::none ? 1.0f : frame.exposure) {}
-
-    uint8_t operator()(float radiance) const { return curve.encode(radiance * exposure); }
-};
+void write_bytes(const Plan& plan, TileBuffers& buffers, bool swapped) {
+    const bool filmic = plan.frame.tone_mapping == ToneMapping::filmic;
+    const bool none = plan.frame.tone_mapping == ToneMapping::none;
+    const ByteEncoding encoding{filmic ? DisplayCurve::filmic() : DisplayCurve::clamp(),
+                                none ? 1.0f : plan.frame.exposure, swapped};
+    const auto& [red, green, blue] = buffers.colors.channel;
+    const float* const radiance[3] = {red, green, blue};
+    uint32_t pixels[kTilePadded];
+    kernels(plan.snapshot.isa()).encode_bytes(encoding, radiance, buffers.tile.count, pixels);
+    store_tile(buffers.tile, pixels, plan.frame.pixels, plan.frame.row_stride);
+}
 
 void write_srgb_rgba(const Plan& plan, TileBuffers& buffers) {
-    const Display display(plan.frame);
-    write_pixels<Bytes>(plan, buffers, [&](float r, float g, float b) -> Bytes {
-        return {{display(r), display(g), display(b), 255}};
-    });
+    write_bytes(plan, buffers, false);
 }
 
 void write_srgb_bgra(const Plan& plan, TileBuffers& buffers) {
-    const Display display(plan.frame);
-    write_pixels<Bytes>(plan, buffers, [&](float r, float g, float b) -> Bytes {
-        return {{display(b), display(g), display(r), 255}};
-    });
+    write_bytes(plan, buffers, true);
 }
 
 // Debug views are display values already.

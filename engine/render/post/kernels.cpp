@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "render/post/edges-inl.h"
+#include "render/post/encode-inl.h"
 #include "render/post/enlarge-inl.h"
 #include "render/post/kernels.h"
 #include "render/post/shown-inl.h"
@@ -14,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::render::post::HWY_NAMESPACE {
 
-constexpr Kernels kKernels = {to_shown, find_edges, enlarge_row};
+constexpr Kernels kKernels = {to_shown, encode_bytes, find_edges, enlarge_row};
 
 } // namespace peregrine::render::post::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

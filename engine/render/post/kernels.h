@@ -2,6 +2,7 @@
 
 #include "base/isa.h"
 #include "render/frame.h"
+#include "render/post/display_curve.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +21,13 @@ struct EdgeRow {
     float more_light; // that arrives everywhere
 };
 
+// How radiance becomes pixels of bytes.
+struct ByteEncoding {
+    const DisplayCurve& curve;
+    float exposure;
+    bool swapped; // blue first
+};
+
 // The four columns about each pixel of a row of an enlarged block, from one row of the film.
 inline constexpr uint32_t kEnlargedBlock = 64;
 struct alignas(64) TapRow {
@@ -32,6 +40,9 @@ struct Kernels {
     // Radiance as shown.h has it.
     void (*to_shown)(ToneMapping tones, float exposure, const float* radiance, uint32_t count,
                      float* shown);
+    // As ByteEncoding has it; alpha is 255.
+    void (*encode_bytes)(const ByteEncoding& encoding, const float* const radiance[3],
+                         uint32_t count, uint32_t* pixels);
     // How strong an edge pixels [begin, begin + count) are: the largest step of any channel to a
     // neighbour on another surface or in other light, in steps of 1 / 255. `begin`: a multiple
     // of 16.
