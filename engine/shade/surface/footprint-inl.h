@@ -80,6 +80,7 @@ HWY_INLINE Ellipse in_coordinates(const Ellipse& e, const math::Vec2& side1,
 struct LevelChoice {
     Vf level;          // 0 is the finest; whole numbers and what lies between
     Vf taps;           // 1 to kMostTaps
+    Vf part;           // 1 / taps
     Vf step_x, step_y; // from tap to tap, in texels of the finest level
 };
 
@@ -97,21 +98,30 @@ HWY_INLINE bool all_are_small(const Ellipse& e, Mf active) {
     return hn::AllTrue(kF, hn::Or(hn::Not(active), hn::Le(sum, splat(1.0f / kSharpness))));
 }
 
+HWY_INLINE LevelChoice finest_choice() {
+    const Vf zero = hn::Zero(kF);
+    return {zero, splat(1.0f), splat(1.0f), zero, zero};
+}
+
 // log2 of a positive number; between powers of two a straight line, which is off by 0.09 at most.
 HWY_INLINE Vf rough_log2(Vf x) {
     const Vi bits = hn::Sub(hn::BitCast(kI, x), hn::Set(kI, 127 << 23));
     return hn::Mul(hn::ConvertTo(kF, bits), splat(0x1p-23f));
 }
 
+struct TapCount {
+    Vf taps, part; // and 1 / taps
+};
+
 // How many times the shorter axis goes into the longer one, generously: both are squares.
-HWY_INLINE Vf count_taps(Vf longer, Vf shorter) {
-    const Vf one = splat(1.0f);
-    Vf taps = one;
+HWY_INLINE TapCount count_taps(Vf longer, Vf shorter) {
+    TapCount count{splat(1.0f), splat(1.0f)};
     for (uint32_t k = 1; k < kMostTaps; ++k) {
-        const Vf most = hn::Mul(shorter, splat(2.0f * float(k * k)));
-        taps = hn::Add(taps, hn::IfThenElseZero(hn::Gt(longer, most), one));
+        const Mf more = hn::Gt(longer, hn::Mul(shorter, splat(2.0f * float(k * k))));
+        count.taps = hn::IfThenElse(more, splat(float(k + 1)), count.taps);
+        count.part = hn::IfThenElse(more, splat(1.0f / float(k + 1)), count.part);
     }
-    return taps;
+    return count;
 }
 
 HWY_INLINE LevelChoice choose_level(const Ellipse& e, float last_level) {
@@ -126,20 +136,23 @@ HWY_INLINE LevelChoice choose_level(const Ellipse& e, float last_level) {
     const Vf product = hn::Mul(hn::Add(mean, lean), hn::Sub(mean, lean));
     Vf shorter = hn::Div(hn::Sub(product, hn::Mul(cross, cross)), longer);
     shorter = hn::IfThenElse(hn::Gt(shorter, one), shorter, one);
-    const Vf taps = count_taps(longer, shorter);
-    const Vf spread = hn::Div(longer, hn::Mul(taps, taps));
+    const TapCount count = count_taps(longer, shorter);
+    const Vf spread = hn::Mul(longer, hn::Mul(count.part, count.part));
     const Vf width = hn::IfThenElse(hn::Gt(spread, shorter), spread, shorter);
     const Vf last = splat(last_level);
     Vf level = hn::Mul(splat(0.5f), rough_log2(width));
     level = hn::IfThenElse(hn::And(usable, hn::Lt(level, last)), level, last);
+    const Mf many = hn::And(usable, hn::Gt(count.taps, one));
+    const Vf zero = hn::Zero(kF);
+    if (hn::AllFalse(kF, many)) return {level, one, one, zero, zero};
     // The longer axis as an eigenvector: of its two forms the one that does not cancel.
-    const Mf is_wide = hn::Ge(lean, hn::Zero(kF));
+    const Mf is_wide = hn::Ge(lean, zero);
     const Vf x = hn::IfThenElse(is_wide, hn::Add(root, lean), cross);
     const Vf y = hn::IfThenElse(is_wide, cross, hn::Sub(root, lean));
     const Vf square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), splat(1e-30f)); // never 0
     const Vf scale = hn::Sqrt(hn::Div(hn::Mul(spread, splat(1.0f / kSharpness)), square));
-    const Mf many = hn::And(usable, hn::Gt(taps, one));
-    return {level, hn::IfThenElse(many, taps, one), hn::IfThenElseZero(many, hn::Mul(x, scale)),
+    return {level, hn::IfThenElse(many, count.taps, one), hn::IfThenElse(many, count.part, one),
+            hn::IfThenElseZero(many, hn::Mul(x, scale)),
             hn::IfThenElseZero(many, hn::Mul(y, scale))};
 }
 

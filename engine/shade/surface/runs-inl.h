@@ -11,18 +11,26 @@
 #include "shade/surface/surface.h"
 #include "shade/surface/weights-inl.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
 using Run = TriangleRun;
 
+// Arrays are readable beyond their end.
 HWY_INLINE Run next_run(const RayHits& hits, uint32_t begin) {
-    const uint32_t triangle = hits.triangle[begin], back_face = hits.back_face[begin];
-    uint32_t end = begin + 1;
-    while (end < hits.count && hits.triangle[end] == triangle
-           && (hits.back_face[end] == back_face || triangle == geometry::kNoTriangle))
-        ++end;
-    return {begin, end};
+    const Vu triangle = hn::Set(kU, hits.triangle[begin]);
+    const Vu back_face = hn::Set(kU, hits.back_face[begin]);
+    const bool missed = hits.triangle[begin] == geometry::kNoTriangle;
+    for (uint32_t i = begin;; i += kLanes) {
+        auto differs = hn::Ne(hn::LoadU(kU, hits.triangle + i), triangle);
+        if (!missed)
+            differs = hn::Or(differs, hn::Ne(hn::LoadU(kU, hits.back_face + i), back_face));
+        const intptr_t first = hn::FindFirstTrue(kU, differs);
+        if (first >= 0) return {begin, std::min(i + uint32_t(first), hits.count)};
+        if (i + kLanes >= hits.count) return {begin, hits.count};
+    }
 }
 
 // The last vector of a run writes past its end; the next run overwrites that.

@@ -43,7 +43,7 @@ HWY_INLINE void hand_on(const float* rgba, Vf scale_by, uint32_t i, Use&& use) {
     use(i, scale(V3{r, g, b}, scale_by));
 }
 
-// Texels seldom are in the cache: each vector's are asked for while the previous one is filtered.
+// Each vector's texels are asked for while the previous one is filtered.
 template <class Use>
 HWY_INLINE void sample_finest(const SampledTexture& sampled, Use&& use) {
     const Run span = sampled.span;
@@ -63,27 +63,32 @@ HWY_INLINE void sample_finest(const SampledTexture& sampled, Use&& use) {
     }
 }
 
-template <class Use>
-HWY_INLINE void sample_by_footprint(const SampledTexture& sampled, Use&& use) {
+HWY_NOINLINE HWY_ATTR void find_samples(const SampledTexture& sampled, uint32_t i,
+                                        LevelSamples& out) {
     const scene::Texture& texture = sampled.texture;
+    const Surface::Place& at = sampled.at;
     const auto width = float(texture.width), height = float(texture.height);
-    const Vf uu = splat(width * width), uv = splat(width * height), vv = splat(height * height);
-    const Vf scale_by = splat(scene::texel_scale(texture));
-    TexelAddresses addresses{};
-    HWY_ALIGN float rgba[4 * HWY_LANES(float)] = {};
-    for (uint32_t i = sampled.span.begin; i < sampled.span.end; i += kLanes) {
-        const Ellipse covered{hn::Mul(hn::LoadU(kF, sampled.at.uu + i), uu),
-                              hn::Mul(hn::LoadU(kF, sampled.at.uv + i), uv),
-                              hn::Mul(hn::LoadU(kF, sampled.at.vv + i), vv)};
-        const uint32_t count = sampled.count(i);
-        if (all_are_small(covered, hn::FirstN(kF, count))) {
-            sampled.find(i, addresses);
-            sampled.fetch(addresses, i, rgba);
-        } else {
-            const LevelChoice choice = choose_level(covered, float(texture.level_count - 1));
-            sample_levels(texture, choice, hn::LoadU(kF, sampled.at.u + i),
-                          hn::LoadU(kF, sampled.at.v + i), count, rgba);
-        }
+    const Ellipse covered{hn::Mul(hn::LoadU(kF, at.uu + i), splat(width * width)),
+                          hn::Mul(hn::LoadU(kF, at.uv + i), splat(width * height)),
+                          hn::Mul(hn::LoadU(kF, at.vv + i), splat(height * height))};
+    const uint32_t count = sampled.count(i);
+    const LevelChoice choice = all_are_small(covered, hn::FirstN(kF, count))
+                                   ? finest_choice()
+                                   : choose_level(covered, float(texture.level_count - 1));
+    out.find(texture, choice, hn::LoadU(kF, at.u + i), hn::LoadU(kF, at.v + i), count);
+}
+
+template <class Channel, class Use>
+HWY_INLINE void sample_by_footprint(const SampledTexture& sampled, Use&& use) {
+    const Run span = sampled.span;
+    const Vf scale_by = splat(scene::texel_scale(sampled.texture));
+    LevelSamples samples[2];
+    HWY_ALIGN float rgba[4 * HWY_LANES(float)];
+    find_samples(sampled, span.begin, samples[0]);
+    uint32_t current = 0;
+    for (uint32_t i = span.begin; i < span.end; i += kLanes, current ^= 1) {
+        if (i + kLanes < span.end) find_samples(sampled, i + kLanes, samples[current ^ 1]);
+        samples[current].template fetch<Channel>(sampled.texture, rgba);
         hand_on(rgba, scale_by, i, use);
     }
 }
@@ -93,10 +98,12 @@ template <class Use>
 HWY_INLINE void sample_texture(const MaterialLook::Sampled& sampled, const Surface& surface,
                                bool by_footprint, Run span, Use&& use) {
     const SampledTexture texture{*sampled.texture, surface.places[sampled.place], span};
-    if (by_footprint && sampled.texture->level_count > 1)
-        sample_by_footprint(texture, use);
-    else
+    if (!by_footprint || sampled.texture->level_count == 1)
         sample_finest(texture, use);
+    else if (sampled.texture->storage == scene::Texture::Storage::unorm16)
+        sample_by_footprint<uint16_t>(texture, use);
+    else
+        sample_by_footprint<float>(texture, use);
 }
 
 } // namespace peregrine::shade::HWY_NAMESPACE

@@ -38,6 +38,9 @@ HWY_INLINE Texel load_texel(const uint16_t* t) {
 HWY_INLINE Texel mix(const Texel& a, const Texel& b, float weight) {
     return each_channel([&](int k) HWY_ATTR { return a.c[k] + (b.c[k] - a.c[k]) * weight; });
 }
+HWY_INLINE Texel load_sample(const float* t) {
+    return load_texel(t);
+}
 HWY_INLINE void store_texel(const Texel& t, float* out) {
     std::copy_n(t.c, 4, out);
 }
@@ -62,6 +65,9 @@ HWY_INLINE Texel load_texel(const uint16_t* t) {
 HWY_INLINE Texel mix(Texel a, Texel b, float weight) {
     return hn::Add(a, hn::Mul(hn::Sub(b, a), hn::Set(kTexel, weight)));
 }
+HWY_INLINE Texel load_sample(const float* t) {
+    return hn::Load(kTexel, t);
+}
 HWY_INLINE void store_texel(Texel t, float* out) {
     hn::Store(t, kTexel, out);
 }
@@ -70,6 +76,44 @@ HWY_INLINE Texel scale_texel(Texel t, float weight) {
 }
 HWY_INLINE Texel add_texel(Texel a, Texel b) {
     return hn::Add(a, b);
+}
+#endif
+
+// The four texels of a bilinear sample, each row from its first texel and its second one, which is
+// `step` channels on: nearly always the next.
+#if HWY_MAX_BYTES >= 32 && HWY_TARGET != HWY_SCALAR
+using D8 = hn::FixedTag<float, 8>;
+inline constexpr D8 kPair;
+
+HWY_INLINE hn::Vec<D8> load_pair(const float* first, ptrdiff_t step) {
+    if (HWY_LIKELY(step == 4)) return hn::LoadU(kPair, first);
+    return hn::Combine(kPair, hn::LoadU(kTexel, first + step), hn::LoadU(kTexel, first));
+}
+HWY_INLINE hn::Vec<D8> load_pair(const uint16_t* first, ptrdiff_t step) {
+    constexpr hn::FixedTag<uint16_t, 8> both;
+    constexpr hn::FixedTag<uint16_t, 4> one;
+    const auto fixed = HWY_LIKELY(step == 4)
+                           ? hn::LoadU(both, first)
+                           : hn::Combine(both, hn::LoadU(one, first + step), hn::LoadU(one, first));
+    return hn::ConvertTo(kPair, hn::PromoteTo(hn::FixedTag<int32_t, 8>(), fixed));
+}
+
+// Both rows side by side along x, then one from the other along y.
+template <class Channel>
+HWY_INLINE Texel bilinear(const Channel* top, const Channel* bottom, ptrdiff_t step, float x,
+                          float y) {
+    const auto upper = load_pair(top, step), lower = load_pair(bottom, step);
+    const auto first = hn::ConcatLowerLower(kPair, lower, upper);
+    const auto second = hn::ConcatUpperUpper(kPair, lower, upper);
+    const auto rows = hn::Add(first, hn::Mul(hn::Sub(second, first), hn::Set(kPair, x)));
+    return mix(hn::LowerHalf(kTexel, rows), hn::UpperHalf(kTexel, rows), y);
+}
+#else
+template <class Channel>
+HWY_INLINE Texel bilinear(const Channel* top, const Channel* bottom, ptrdiff_t step, float x,
+                          float y) {
+    return mix(mix(load_texel(top), load_texel(top + step), x),
+               mix(load_texel(bottom), load_texel(bottom + step), x), y);
 }
 #endif
 
@@ -111,22 +155,27 @@ HWY_INLINE Vi nearest_tap(Vf coordinate, scene::Wrap wrap, Vf size, Vi last) {
 
 // A level of a texture, or one for each ray.
 struct VectorLevel {
+    Vi first; // texel
     Vf width, height;
     Vi last_x, last_y, row; // texels from row to row
 
-    HWY_INLINE VectorLevel(Vi width_, Vi height_)
-        : width(hn::ConvertTo(kF, width_)), height(hn::ConvertTo(kF, height_)),
+    HWY_INLINE VectorLevel(Vi first_, Vi width_, Vi height_)
+        : first(first_), width(hn::ConvertTo(kF, width_)), height(hn::ConvertTo(kF, height_)),
           last_x(hn::Sub(width_, hn::Set(kI, 1))), last_y(hn::Sub(height_, hn::Set(kI, 1))),
           row(width_) {}
 };
 
 HWY_INLINE VectorLevel finest_level(const scene::Texture& texture) {
-    return {hn::Set(kI, int32_t(texture.width)), hn::Set(kI, int32_t(texture.height))};
+    return {hn::Zero(kI), hn::Set(kI, int32_t(texture.width)),
+            hn::Set(kI, int32_t(texture.height))};
 }
 
-// Where the texels of one vector of rays lie, in texels from the first of their level.
+// Where the texels of one vector of rays lie, in texels from the texture's first: the first one of
+// either row, and from each to the second one.
 struct TexelAddresses {
-    HWY_ALIGN int32_t at[4][HWY_LANES(float)]; // nearest: only at[0]
+    HWY_ALIGN int32_t top[HWY_LANES(float)]; // nearest: this alone
+    HWY_ALIGN int32_t bottom[HWY_LANES(float)];
+    HWY_ALIGN int32_t step[HWY_LANES(float)];
     HWY_ALIGN float weight_x[HWY_LANES(float)];
     HWY_ALIGN float weight_y[HWY_LANES(float)];
 };
@@ -136,15 +185,14 @@ HWY_INLINE void find_texels(const scene::Texture& texture, const VectorLevel& le
     if (texture.sampling == scene::Sampling::nearest) {
         const Vi x = nearest_tap(u, texture.wrap_u, level.width, level.last_x);
         const Vi y = nearest_tap(v, texture.wrap_v, level.height, level.last_y);
-        return hn::Store(hn::Add(hn::Mul(y, level.row), x), kI, out.at[0]);
+        return hn::Store(hn::Add(level.first, hn::Add(hn::Mul(y, level.row), x)), kI, out.top);
     }
     const VectorTaps x = bilinear_taps(u, texture.wrap_u, level.width, level.last_x);
     const VectorTaps y = bilinear_taps(v, texture.wrap_v, level.height, level.last_y);
-    const Vi row0 = hn::Mul(y.first, level.row), row1 = hn::Mul(y.second, level.row);
-    hn::Store(hn::Add(row0, x.first), kI, out.at[0]);
-    hn::Store(hn::Add(row0, x.second), kI, out.at[1]);
-    hn::Store(hn::Add(row1, x.first), kI, out.at[2]);
-    hn::Store(hn::Add(row1, x.second), kI, out.at[3]);
+    const Vi left = hn::Add(level.first, x.first);
+    hn::Store(hn::Add(left, hn::Mul(y.first, level.row)), kI, out.top);
+    hn::Store(hn::Add(left, hn::Mul(y.second, level.row)), kI, out.bottom);
+    hn::Store(hn::Sub(x.second, x.first), kI, out.step);
     hn::Store(x.weight, kF, out.weight_x);
     hn::Store(y.weight, kF, out.weight_y);
 }
@@ -153,13 +201,11 @@ HWY_INLINE void find_texels(const scene::Texture& texture, const VectorLevel& le
 template <class Channel>
 HWY_INLINE Texel fetch_sample(const Channel* texels, scene::Sampling sampling,
                               const TexelAddresses& addresses, uint32_t lane) {
-    const auto texel = [&](int corner) HWY_ATTR {
-        return load_texel(texels + size_t(uint32_t(addresses.at[corner][lane])) * 4);
-    };
-    if (sampling == scene::Sampling::nearest) return texel(0);
-    const Texel top = mix(texel(0), texel(1), addresses.weight_x[lane]);
-    const Texel bottom = mix(texel(2), texel(3), addresses.weight_x[lane]);
-    return mix(top, bottom, addresses.weight_y[lane]);
+    const Channel* const top = texels + size_t(uint32_t(addresses.top[lane])) * 4;
+    if (sampling == scene::Sampling::nearest) return load_texel(top);
+    const Channel* const bottom = texels + size_t(uint32_t(addresses.bottom[lane])) * 4;
+    return bilinear(top, bottom, ptrdiff_t(addresses.step[lane]) * 4, addresses.weight_x[lane],
+                    addresses.weight_y[lane]);
 }
 
 template <class Channel>
@@ -173,10 +219,11 @@ HWY_INLINE void fetch_samples(const scene::Texture& texture, const TexelAddresse
 HWY_INLINE void prefetch_texels(const scene::Texture& texture, const TexelAddresses& addresses) {
     const auto* texels = texture.texels.data();
     const size_t size = texture.texel_size();
-    const int second_row = texture.sampling == scene::Sampling::nearest ? 0 : 2;
+    const int32_t* const bottom =
+        texture.sampling == scene::Sampling::nearest ? addresses.top : addresses.bottom;
     for (uint32_t j = 0; j < kLanes; ++j) {
-        hwy::Prefetch(texels + size_t(uint32_t(addresses.at[0][j])) * size);
-        hwy::Prefetch(texels + size_t(uint32_t(addresses.at[second_row][j])) * size);
+        hwy::Prefetch(texels + size_t(uint32_t(addresses.top[j])) * size);
+        hwy::Prefetch(texels + size_t(uint32_t(bottom[j])) * size);
     }
 }
 
