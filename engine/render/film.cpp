@@ -40,7 +40,7 @@ void keep_edges(const Plan& plan, TileBuffers& buffers) {
     const Tile& tile = buffers.tile;
     for (uint32_t i = 0; i < tile.count; ++i) values[i] = 1.0f / buffers.t[i];
     store(plan, tile, values, plan.film->nearness());
-    const auto& [red, green, blue] = buffers.light.irradiance;
+    const auto& [red, green, blue] = buffers.light->irradiance;
     for (uint32_t i = 0; i < tile.count; ++i) values[i] = brightness(red[i], green[i], blue[i]);
     store(plan, tile, values, plan.film->light());
     find_looks(plan.snapshot, buffers, looks);

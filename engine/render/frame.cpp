@@ -28,6 +28,7 @@ public:
         : scheduler_(scheduler), moved_lights_(memory), film_(make_film(frame, memory)),
           plan_(snapshot, camera, frame, moved_lights_, film_ ? &*film_ : nullptr),
           workers_(std::min(scheduler.concurrency(), tiles_of(plan_.extent)), memory),
+          tile_lights_(frame.keeps_light() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
           edges_(frame.looks_for_edges() ? workers_.size() : 0, memory) {}
 
@@ -35,6 +36,7 @@ public:
         for_each_worker([&](uint32_t i) {
             workers_[i].scratch.shadow.initialize();
             workers_[i].scratch.lists = light_room_.lists(i);
+            if (!tile_lights_.empty()) workers_[i].light = &tile_lights_[i];
             begin_primary_rays(plan_, workers_[i]);
         });
         for_each_tile([&](TileBuffers& buffers, uint32_t) {
@@ -48,7 +50,7 @@ public:
         stats.rays_primary += uint64_t(plan_.extent.width) * plan_.extent.height;
         for (const TileBuffers& buffers : workers_) {
             stats.rays_shadow += buffers.scratch.shadow.ray_count;
-            stats.light_points += buffers.light.point_count;
+            stats.light_points += buffers.light_point_count;
             stats.rays_edge += buffers.edge_ray_count;
         }
     }
@@ -108,6 +110,7 @@ private:
     std::optional<Film> film_;
     const Plan plan_;
     base::Vector<TileBuffers> workers_;
+    base::Vector<shade::TileLight> tile_lights_; // of each worker
     shade::LightRoom light_room_;
     base::Vector<post::EdgeCounts> edges_; // of each worker
 };

@@ -70,6 +70,11 @@ struct Frame {
 
     bool is_shaded() const { return pixels && view == View::shaded; }
     bool looks_for_edges() const { return is_shaded() && approximations.edge_samples > 1; }
+    bool finds_blocks() const {
+        return pixels && (view == View::light || (is_shaded() && approximations.light_block > 1));
+    }
+    // Beyond the batch for which it was found.
+    bool keeps_light() const { return finds_blocks() || looks_for_edges(); }
     Extent extent() const { return {width, height}; }
     // What is traced of it. Debug views and planes are never enlarged.
     Extent traced() const {

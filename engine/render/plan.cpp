@@ -71,7 +71,7 @@ Stage stage_of(const Frame& frame) {
     case View::light:
         return show_light;
     default:
-        return frame.approximations.light_block > 1 ? shade_blocks : shade_tile;
+        return frame.finds_blocks() ? shade_blocks : shade_tile;
     }
 }
 

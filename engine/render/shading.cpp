@@ -51,13 +51,13 @@ void shade_tile(const Plan& plan, TileBuffers& buffers) {
         if (!plan.frame.looks_for_edges()) return;
         for (int k = 0; k < 3; ++k)
             std::copy_n(buffers.scratch.light.irradiance[k], hits.count,
-                        buffers.light.irradiance[k] + first);
+                        buffers.light->irradiance[k] + first);
     });
-    buffers.light.point_count += buffers.tile.count;
+    buffers.light_point_count += buffers.tile.count;
 }
 
 void find_light(const Plan& plan, TileBuffers& buffers) {
-    TileLight& light = buffers.light;
+    TileLight& light = *buffers.light;
     light.begin(buffers.tile.count);
     BlockLister(buffers.tile, light).list_all(plan.frame.approximations.light_block);
     const auto& [dx, dy, dz] = buffers.direction;
@@ -70,11 +70,12 @@ void find_light(const Plan& plan, TileBuffers& buffers) {
                            buffers.tile.count,
                            buffers.footprint},
                           light, buffers.scratch);
+    buffers.light_point_count += light.point_count;
 }
 
 void shade_blocks(const Plan& plan, TileBuffers& buffers) {
     find_light(plan, buffers);
-    const TileLight& light = buffers.light;
+    const TileLight& light = *buffers.light;
     shade::Scratch& scratch = buffers.scratch;
     const bool lobes = plan.shader.program() == shade::Program::highlight;
     buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {

@@ -31,8 +31,9 @@ struct alignas(64) TileBuffers {
 
     TileColors colors; // radiance, then display values
     shade::Scratch scratch;
-    shade::TileLight light;
-    uint64_t edge_ray_count = 0; // of a frame
+    shade::TileLight* light = nullptr; // if Frame::keeps_light()
+    uint64_t light_point_count = 0;    // of a frame
+    uint64_t edge_ray_count = 0;       // of a frame
 
     // Calls function(hits, first) for batches of rays, `first` being a batch's first.
     template <class Function>

@@ -51,7 +51,7 @@ void show_steps(const Plan& plan, TileBuffers& buffers) {
 
 void show_light(const Plan& plan, TileBuffers& buffers) {
     find_light(plan, buffers);
-    const shade::TileLight& light = buffers.light;
+    const shade::TileLight& light = *buffers.light;
     for (uint32_t i = 0; i < buffers.tile.count; ++i) {
         const bool seen = buffers.triangle[i] != geometry::kNoTriangle;
         const uint32_t how = !light.found[i] ? 2 : light.traced[i] ? 0 : 1;

@@ -44,7 +44,7 @@ public:
             to_shown(plan_.frame.tone_mapping, plan_.frame.exposure, channel, ray_count, channel);
         for (uint32_t i = 0; i < count_; ++i) put_mean(i);
         buffers_.edge_ray_count += ray_count;
-        buffers_.light.point_count += ray_count;
+        buffers_.light_point_count += ray_count;
         count_ = 0;
     }
 

@@ -18,6 +18,7 @@ void TileLight::begin(uint32_t ray_count) {
     for (List& list : pending) list.count = 0;
     uneven.count = 0;
     known_count = 0;
+    point_count = 0;
     slots.clear();
     batch.slots = &slots;
 }

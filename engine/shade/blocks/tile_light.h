@@ -74,7 +74,7 @@ struct alignas(64) TileLight {
     BatchMarks batch;
     LightSlots slots; // of the tile
 
-    uint64_t point_count; // of a frame
+    uint32_t point_count; // where light was found
 
     static uint32_t level_of(uint32_t side) { return side == 4 ? 0 : side == 8 ? 1 : 2; }
     void begin(uint32_t ray_count); // a tile
