@@ -20,11 +20,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Df = hn::ScalableTag<float>;
 using Du = hn::ScalableTag<uint32_t>;
+using Di = hn::ScalableTag<int32_t>;
 using Vf = hn::Vec<Df>;
 using Vu = hn::Vec<Du>;
+using Vi = hn::Vec<Di>;
 using Mf = hn::Mask<Df>;
 inline constexpr Df kF;
 inline constexpr Du kU;
+inline constexpr Di kI;
 inline constexpr uint32_t kLanes = uint32_t(HWY_LANES(float));
 
 struct V3 {

@@ -17,20 +17,38 @@ namespace peregrine::shade::HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-// The operations of PointVisibility::at, for a run of rays that hit one triangle.
-HWY_INLINE uint32_t recall_points(const trace::visibility::PointVisibility& visibility,
-                                  const trace::visibility::TriangleView& view, const RayHits& hits,
-                                  const TriangleRun& run, uint32_t* states) {
+// The states of patches, two bits each. Most triangles have no more than one word of them.
+class PatchCodes {
+public:
+    HWY_INLINE PatchCodes(const trace::visibility::PointVisibility& visibility,
+                          const trace::visibility::TriangleView& view)
+        : codes_(visibility.codes() + view.first_word()), is_one_word_(view.level() <= 2) {}
+
+    HWY_INLINE Vu at(Vi index) const {
+        const Vu word = is_one_word_ ? hn::Set(kU, *codes_)
+                                     : hn::GatherIndex(kU, codes_, hn::ShiftRight<4>(index));
+        const Vu shift = hn::BitCast(kU, hn::ShiftLeft<1>(hn::And(index, hn::Set(kI, 15))));
+        return hn::And(hn::Shr(word, shift), hn::Set(kU, 3));
+    }
+
+private:
+    const uint32_t* codes_;
+    bool is_one_word_;
+};
+
+// The operations of PointVisibility::at, for a run of rays that hit one triangle. Adds a bit for
+// each state to `occurs`.
+HWY_INLINE void recall_points(const trace::visibility::PointVisibility& visibility,
+                              const trace::visibility::TriangleView& view, const RayHits& hits,
+                              const TriangleRun& run, uint32_t* states, Vu& occurs) {
     using trace::visibility::Grid;
     using trace::visibility::State;
-    const hn::Rebind<int32_t, Df> kS;
     const float border = Grid::kBorder[view.border()];
     const auto scale = splat(1.0f / (1.0f - 3.0f * border));
     const auto zero = hn::Zero(kF), one = splat(1.0f);
     const auto mixed = hn::Set(kU, uint32_t(State::mixed));
     const auto side = int32_t(1u << view.level());
     const auto wide = splat(float(side));
-    auto all = hn::Zero(kU);
     for (uint32_t i = run.begin; i < run.end; i += kLanes) {
         const Vf x = hn::Mul(hn::Sub(hn::LoadU(kF, hits.u + i), splat(border)), scale);
         const Vf y = hn::Mul(hn::Sub(hn::LoadU(kF, hits.v + i), splat(border)), scale);
@@ -40,31 +58,22 @@ HWY_INLINE uint32_t recall_points(const trace::visibility::PointVisibility& visi
         if (view.state() == State::patches) {
             const Vf xs = hn::IfThenElseZero(inside, hn::Mul(x, wide));
             const Vf ys = hn::IfThenElseZero(inside, hn::Mul(y, wide));
-            const auto iu = hn::ConvertTo(kS, xs), iv = hn::ConvertTo(kS, ys);
+            const auto iu = hn::ConvertTo(kI, xs), iv = hn::ConvertTo(kI, ys);
             const Vf rest =
                 hn::Add(hn::Sub(xs, hn::ConvertTo(kF, iu)), hn::Sub(ys, hn::ConvertTo(kF, iv)));
             const auto is_last =
-                hn::Gt(hn::Add(iu, iv), hn::Set(kS, side - 2)); // of its row: no mirror image
-            const auto upper = hn::AndNot(hn::VecFromMask(kS, is_last),
-                                          hn::BitCast(kS, hn::VecFromMask(kF, hn::Ge(rest, one))));
-            const auto row = hn::Mul(iv, hn::Sub(hn::Set(kS, 2 * side), iv));
+                hn::Gt(hn::Add(iu, iv), hn::Set(kI, side - 2)); // of its row: no mirror image
+            const auto upper = hn::AndNot(hn::VecFromMask(kI, is_last),
+                                          hn::BitCast(kI, hn::VecFromMask(kF, hn::Ge(rest, one))));
+            const auto row = hn::Mul(iv, hn::Sub(hn::Set(kI, 2 * side), iv));
             const auto index = hn::Sub(hn::Add(row, hn::Add(iu, iu)), upper); // a mask is -1
-            const auto word =
-                hn::Add(hn::ShiftRight<4>(index), hn::Set(kS, int32_t(view.first_word())));
-            const auto* codes = visibility.codes();
-            const auto bits = hn::GatherIndex(kU, codes, word);
-            const auto shift = hn::BitCast(kU, hn::ShiftLeft<1>(hn::And(index, hn::Set(kS, 15))));
-            state = hn::And(hn::Shr(bits, shift), hn::Set(kU, 3));
+            state = PatchCodes(visibility, view).at(index);
         }
         state = hn::IfThenElse(hn::RebindMask(kU, inside), state, mixed);
         hn::StoreU(state, kU, states + i);
-        all = hn::Or(all, hn::Shl(hn::Set(kU, 1), state));
+        const Vu bit = hn::Shl(hn::Set(kU, 1), state);
+        occurs = hn::Or(occurs, hn::IfThenElseZero(hn::FirstN(kU, run.end - i), bit));
     }
-    HWY_ALIGN uint32_t lanes[HWY_LANES(uint32_t)];
-    hn::Store(all, kU, lanes);
-    uint32_t occurs = 0;
-    for (const uint32_t lane : lanes) occurs |= lane;
-    return occurs;
 }
 
 HWY_ATTR uint32_t recall(const trace::visibility::PointVisibility& visibility,
@@ -72,6 +81,7 @@ HWY_ATTR uint32_t recall(const trace::visibility::PointVisibility& visibility,
                          uint32_t* states) {
     using trace::visibility::State;
     uint32_t occurs = 0;
+    Vu point_occurs = hn::Zero(kU);
     for (uint32_t r = 0; r < surface.run_count; ++r) {
         const TriangleRun& run = surface.runs[r];
         const uint32_t triangle = hits.triangle[run.begin];
@@ -80,7 +90,7 @@ HWY_ATTR uint32_t recall(const trace::visibility::PointVisibility& visibility,
             const trace::visibility::TriangleView view = visibility.of(triangle);
             state = view.state();
             if (state == State::patches || view.border() != 0) {
-                occurs |= recall_points(visibility, view, hits, run, states);
+                recall_points(visibility, view, hits, run, states, point_occurs);
                 continue;
             }
         } else if (triangle != geometry::kNoTriangle) {
@@ -90,6 +100,9 @@ HWY_ATTR uint32_t recall(const trace::visibility::PointVisibility& visibility,
         const auto fill = hn::Set(kU, uint32_t(state));
         for (uint32_t i = run.begin; i < run.end; i += kLanes) hn::StoreU(fill, kU, states + i);
     }
+    HWY_ALIGN uint32_t lanes[HWY_LANES(uint32_t)];
+    hn::Store(point_occurs, kU, lanes);
+    for (const uint32_t lane : lanes) occurs |= lane;
     return occurs;
 }
 

@@ -15,10 +15,6 @@ namespace peregrine::shade::HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-using Di = hn::ScalableTag<int32_t>;
-using Vi = hn::Vec<Di>;
-inline constexpr Di kI;
-
 // An ellipse as the matrix whose eigenvalues are the squares of its axes.
 struct Ellipse {
     Vf xx, xy, yy;
