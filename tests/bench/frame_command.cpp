@@ -4,6 +4,7 @@
 #include "frame_stage.h"
 #include "frame_table.h"
 #include "image_size.h"
+#include "isa_name.h"
 #include "standing_triangles.h"
 #include "timing.h"
 
@@ -73,7 +74,8 @@ private:
     void report(const char* what) const { std::fprintf(stderr, "%s: %s\n", name_.c_str(), what); }
 
     std::unique_ptr<FrameStage> make_stage(rt_light_proofs proofs) const {
-        return std::make_unique<FrameStage>(api_, level_, options_.threads, proofs);
+        return std::make_unique<FrameStage>(api_, level_, options_.threads, proofs,
+                                            to_isa(options_.isa));
     }
 
     // What counts: on one thread the processor's time, which a busy machine does not stretch.

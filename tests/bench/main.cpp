@@ -116,6 +116,7 @@ void add_frame_options(CLI::App& frame, Options& options) {
                     "nothing approximated); default: all")
         ->delimiter(',')
         ->check(CLI::IsMember(options.looks));
+    add_isa_option(frame, options);
     frame
         .add_option("--peer", options.peers,
                     "Peers, of which the fastest mode counts: embree, embree-avx2 (kept from using "
