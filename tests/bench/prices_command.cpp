@@ -1,4 +1,4 @@
-// What finer edges and smaller pictures cost, and how far they are from 16 rays a pixel.
+// What each approximation costs or saves, and how far it is from 16 rays a pixel.
 #include "commands.h"
 #include "frame_stage.h"
 #include "image_size.h"
@@ -25,28 +25,37 @@ constexpr uint32_t kSamples = 4;    // a side, of the truth
 
 struct Setting {
     const char* name;
-    uint32_t edge_samples;
-    float edge_budget;
-    float scale;
+    uint32_t edge_samples = 1;
+    float edge_budget = 0;
+    float scale = 1;
     bool bilinear = false; // by us, for comparison
-    // Light in blocks is not meant to be nearer to the truth than one ray a pixel, but to that.
+    rt_texture_filter filter = RT_TEXTURE_FINEST;
     uint32_t light_block = 1;
+    float least_light = 0;
+
+    // Cheaper light is not meant to be nearer to the truth than one ray a pixel, but to that.
+    bool is_light() const { return light_block > 1 || least_light > 0; }
 };
 constexpr Setting kSettings[] = {
-    {"one ray", 1, 0, 1},
-    {"edges 4", 4, 0, 1},
-    {"edges 4, budget", 4, 0.2f, 1},
-    {"edges 8", 8, 0, 1},
-    {"edges 8, budget", 8, 0.5f, 1},
-    {"edges 16", 16, 0, 1},
-    {"size 3/4", 1, 0, 0.75f},
-    {"size 3/4, bilinear", 1, 0, 0.75f, true},
-    {"size 1/2", 1, 0, 0.5f},
-    {"size 1/2, bilinear", 1, 0, 0.5f, true},
-    {"size 1/2, edges 4", 4, 0, 0.5f},
-    {"light, blocks of 4", 1, 0, 1, false, 4},
-    {"light, blocks of 8", 1, 0, 1, false, 8},
-    {"light, blocks of 16", 1, 0, 1, false, 16},
+    {.name = "one ray"},
+    {.name = "mip-maps", .filter = RT_TEXTURE_MIPMAPS},
+    {.name = "edges 4", .edge_samples = 4},
+    {.name = "edges 4, budget", .edge_samples = 4, .edge_budget = 0.2f},
+    {.name = "edges 8", .edge_samples = 8},
+    {.name = "edges 8, budget", .edge_samples = 8, .edge_budget = 0.5f},
+    {.name = "edges 16", .edge_samples = 16},
+    {.name = "edges 8, mip-maps", .edge_samples = 8, .filter = RT_TEXTURE_MIPMAPS},
+    {.name = "size 3/4", .scale = 0.75f},
+    {.name = "size 3/4, bilinear", .scale = 0.75f, .bilinear = true},
+    {.name = "size 1/2", .scale = 0.5f},
+    {.name = "size 1/2, bilinear", .scale = 0.5f, .bilinear = true},
+    {.name = "size 1/2, edges 4", .edge_samples = 4, .scale = 0.5f},
+    {.name = "light, blocks of 4", .light_block = 4},
+    {.name = "light, blocks of 8", .light_block = 8},
+    {.name = "light, blocks of 16", .light_block = 16},
+    {.name = "least light 0.5", .least_light = 0.5f},
+    {.name = "least light 2", .least_light = 2},
+    {.name = "least light 8", .least_light = 8},
 };
 constexpr float kLightTolerance = 0.03f;
 
@@ -123,11 +132,12 @@ public:
     nlohmann::json run() {
         std::vector<Price> sums(std::size(kSettings));
         for (size_t view = 0; view < views_.size(); ++view) {
-            const Image truth = shrink(render({"", 1, 0, float(kSamples)}, view).image, kSamples);
+            const Image truth =
+                shrink(render({.name = "", .scale = float(kSamples)}, view).image, kSamples);
             write("truth", view, truth);
             const Image one_ray = render(kSettings[0], view).image;
             for (size_t i = 0; i < sums.size(); ++i)
-                add(kSettings[i], view, kSettings[i].light_block > 1 ? one_ray : truth, sums[i]);
+                add(kSettings[i], view, kSettings[i].is_light() ? one_ray : truth, sums[i]);
         }
         nlohmann::json rows = nlohmann::json::array();
         for (size_t i = 0; i < sums.size(); ++i) rows.push_back(row_of(kSettings[i], sums[i]));
@@ -153,6 +163,8 @@ private:
         frame.edge_budget = setting.edge_budget;
         frame.light_block = setting.light_block;
         frame.light_tolerance = kLightTolerance;
+        frame.least_light = setting.least_light;
+        frame.texture_filter = setting.filter;
         frame.render_width = traced.width;
         frame.render_height = traced.height;
         std::vector<double> ms;
@@ -217,8 +229,8 @@ private:
 
 std::string run_prices(const Options& options) {
     const host::Plugin plugin(options.library);
-    std::printf("%s a frame, mean of the scene's cameras; FLIP against %u rays a pixel (light in "
-                "blocks: against one)\n"
+    std::printf("%s a frame, mean of the scene's cameras; FLIP against %u rays a pixel (cheaper "
+                "light: against one)\n"
                 "%-16s %-19s %8s %10s %10s %8s %8s\n",
                 options.threads == 1 ? "processor time" : "wall time", kSamples * kSamples, "scene",
                 "setting", "ms", "edge rays", "shadow", "flip", "tile");
