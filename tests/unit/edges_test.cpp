@@ -13,16 +13,9 @@ namespace {
 
 using math::Vec3;
 using test::Picture;
+using test::glowing;
 using test::RenderScene;
 using test::take_picture;
-
-scene::Material glowing(const Vec3& color) {
-    scene::Material material;
-    material.base_color = {0, 0, 0, 1};
-    material.emissive = color;
-    material.double_sided = true;
-    return material;
-}
 
 //   bright and leaning, before a dark wall; a lamp; a floor that is seen at a grazing angle
 struct EdgeScene : RenderScene {

@@ -10,16 +10,9 @@ namespace {
 
 using math::Vec3;
 using test::Picture;
+using test::glowing;
 using test::RenderScene;
 using test::take_picture;
-
-scene::Material glowing(const Vec3& color) {
-    scene::Material material;
-    material.base_color = {0, 0, 0, 1};
-    material.emissive = color;
-    material.double_sided = true;
-    return material;
-}
 
 Frame smaller_frame(uint32_t width, uint32_t height, uint32_t columns, uint32_t rows) {
     Frame frame = test::float_frame(width, height);

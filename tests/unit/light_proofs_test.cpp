@@ -171,7 +171,8 @@ TEST_F(Room, NewGeometryIsProvedAnew) {
 
 TEST_F(Room, MemoryIsBounded) {
     uint64_t last = 0;
-    for (const uint64_t most : {uint64_t(1), uint64_t(600), uint64_t(3000), uint64_t(1) << 26}) {
+    for (const uint64_t most :
+         {uint64_t(0), uint64_t(1), uint64_t(600), uint64_t(3000), uint64_t(1) << 26}) {
         world_.scene.touch_triangles(scene::MeshKind::fixed);
         const scene::CommitReport report = commit(proving(0.05f, most));
         EXPECT_LE(report.proofs.bytes, most);

@@ -8,16 +8,9 @@ namespace peregrine::render {
 namespace {
 
 using math::Vec3;
+using test::glowing;
 using test::RenderScene;
 using test::take_picture;
-
-scene::Material glowing(const Vec3& color) {
-    scene::Material material;
-    material.base_color = {0, 0, 0, 1};
-    material.emissive = color;
-    material.double_sided = true;
-    return material;
-}
 
 scene::Material white() {
     scene::Material material;
@@ -141,6 +134,28 @@ TEST(RenderFrame, IsTheSameForEveryInstructionSet) {
             EXPECT_EQ(picture.stats.isa, isa);
             EXPECT_EQ(picture.pixels, expected.pixels) << int(isa);
             EXPECT_EQ(picture.stats.rays_shadow, expected.stats.rays_shadow);
+        }
+    }
+}
+
+//  A camera within a slab of a wall, at corners, on edges and in the planes of its faces.
+TEST(RenderFrame, FromInsideAWall) {
+    for (const Vec3& eye :
+         {Vec3(0, 1, -9.05f), Vec3(0, 1, -9), Vec3(-5, -1, -9), Vec3(0, -1, 0), Vec3(0, -1, -9)}) {
+        Camera camera;
+        camera.position = eye;
+        test::Picture expected;
+        for (const base::Isa isa :
+             {base::Isa::scalar, base::Isa::sse4, base::Isa::avx2, base::Isa::avx512}) {
+            if (!base::is_available(isa)) continue;
+            RenderScene world(1, isa);
+            furnish(world);
+            world.add_quad({-5, -1, -9.1f}, {5, -1, -9.1f}, {5, 6, -9.1f}, {-5, 6, -9.1f},
+                           world.add(white()));
+            const test::Picture picture = take_picture(world, camera, 70, 50);
+            if (isa == base::Isa::scalar) expected = picture;
+            EXPECT_EQ(picture.pixels, expected.pixels) << int(isa);
+            for (const float value : picture.pixels) ASSERT_TRUE(value >= 0 && value < 1000);
         }
     }
 }

@@ -9,6 +9,15 @@
 
 namespace peregrine::test {
 
+// Shows one colour, whatever the light is.
+inline scene::Material glowing(const math::Vec3& color) {
+    scene::Material material;
+    material.base_color = {0, 0, 0, 1};
+    material.emissive = color;
+    material.double_sided = true;
+    return material;
+}
+
 // A small scene for tests of frames, and frames of it.
 class RenderScene {
 public:
