@@ -47,7 +47,9 @@ rt_commit_report build(Stage& stage, const Options& options) {
         std::fprintf(stderr, "\rbuilding %3d%%", percent);
         shown = percent;
     };
-    const rt_commit_report report = stage.commit(options.structure, options.build, show);
+    const rt_commit_report report =
+        stage.commit(options.structure, options.build, show,
+                     options.light_proofs ? RT_LIGHT_PROOFS_MADE : RT_LIGHT_PROOFS_KEPT);
     if (shown >= 0) std::fprintf(stderr, "\rbuilding 100%%\n");
     return report;
 }

@@ -163,6 +163,8 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
            "with --view-only or --headless: find light in blocks of 4, 8 or 16 pixels [0: at "
            "every pixel]")
         ->check(CLI::IsMember({0, 1, 4, 8, 16}));
+    app.add_flag("--light-proofs", options.light_proofs,
+                 "with --view-only: prove once what standing lamps see of the level (seconds)");
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
     app.add_flag("--list-pads", options.list_pads,
                  "print the gamepads and how they are read, and quit");

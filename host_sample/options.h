@@ -32,6 +32,7 @@ struct Options {
     std::optional<float> scale; // none: 1, or in the game as the player has set it
     bool no_shadows = false;
     uint32_t light_block = 0; // rt_frame_desc::light_block
+    bool light_proofs = false;
     bool list_cameras = false;
     bool list_pads = false;
     std::string pad_map; // a file; see pads/player_mappings.h

@@ -31,10 +31,11 @@ void Stage::check(rt_result result, const char* what) const {
 }
 
 rt_commit_report Stage::commit(rt_structure structure, rt_build_quality quality,
-                               const std::function<void(float)>& progress) {
+                               const std::function<void(float)>& progress, rt_light_proofs proofs) {
     rt_commit_desc desc = rt_default_commit_desc();
     desc.structure = structure;
     desc.quality = quality;
+    desc.light_proofs = proofs;
     if (progress) {
         desc.progress = [](void* user, float fraction) -> int32_t {
             (*static_cast<const std::function<void(float)>*>(user))(fraction);

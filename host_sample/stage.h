@@ -40,7 +40,8 @@ public:
 
     // Returns the engine's report. `progress` gets the fraction done and may be null.
     rt_commit_report commit(rt_structure structure, rt_build_quality quality,
-                            const std::function<void(float)>& progress);
+                            const std::function<void(float)>& progress,
+                            rt_light_proofs proofs = RT_LIGHT_PROOFS_KEPT);
 
     // `pixels` holds height rows of width pixels of the format, without gaps.
     rt_frame_stats render(const Viewpoint& viewpoint, const Frame& frame, void* pixels) const;

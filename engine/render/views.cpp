@@ -55,8 +55,9 @@ void show_light(const Plan& plan, TileBuffers& buffers) {
     for (uint32_t i = 0; i < buffers.tile.count; ++i) {
         const bool seen = buffers.triangle[i] != geometry::kNoTriangle;
         const uint32_t how = !light.found[i] ? 2 : light.traced[i] ? 0 : 1;
+        const float strength = how == 0 ? std::min(float(light.traced[i] + 1) / 9.0f, 1.0f) : 1.0f;
         for (uint32_t k = 0; k < 3; ++k)
-            buffers.colors.channel[k][i] = seen && k == how ? 1.0f : 0.0f;
+            buffers.colors.channel[k][i] = seen && k == how ? strength : 0.0f;
     }
 }
 

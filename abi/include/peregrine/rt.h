@@ -1139,8 +1139,9 @@ enum {
     RT_VIEW_DEPTH = 2,   /* near is bright; `depth_range` is black */
     RT_VIEW_STEPS =
         3, /* tree nodes visited by the primary ray as a heat map; `steps_range` is white */
-    RT_VIEW_LIGHT = 4 /* how light was found: red: by shadow rays; green: from what was proved, or
-                         what neighbours know; blue: interpolated; black: nothing is seen */
+    RT_VIEW_LIGHT = 4 /* how light was found: red: by shadow rays, the brighter the more, up to 8;
+                         green: from what was proved, or what neighbours know; blue: interpolated;
+                         black: nothing is seen */
 };
 
 typedef int32_t rt_tone_mapping;

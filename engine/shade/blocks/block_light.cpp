@@ -220,7 +220,7 @@ void BlockLight::find_batch(const TileHits& hits, SurfacePart part, uint32_t cou
     const RayHits points = list_batch(hits, count, out);
     BatchMarks& marks = out.batch;
     marks.finds = part == SurfacePart::smooth;
-    std::fill_n(marks.traced, count, false);
+    std::fill_n(marks.traced, count, uint8_t(0));
     if (marks.finds) std::fill_n(marks.found, count, LightMarks());
     shader_.find_surfaces(points, part, scratch);
     shader_.gather_light(points, scratch, &marks);

@@ -41,7 +41,7 @@ struct alignas(64) TileLight {
     Lanes shininess;
     bool relief[kMostTileRays]; // and it was found without the normal map that is there
     LightMarks marks[kMostTileRays];
-    bool traced[kMostTileRays]; // with shadow rays
+    uint8_t traced[kMostTileRays]; // with so many shadow rays, up to 255
     bool found[kMostTileRays];
 
     // Where it is to be found next, and what is known there: index in `known`.

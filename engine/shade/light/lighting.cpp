@@ -82,7 +82,10 @@ Lighting::Known Lighting::find_known(const Task& task) const {
 void Lighting::mark(const Task& task, const Known& known, uint32_t ray_count) const {
     const ShadowMemory& shadow = task.scratch.shadow;
     BatchMarks& marks = *task.marks;
-    for (uint32_t k = 0; k < ray_count; ++k) marks.traced[shadow.index[k]] = true;
+    for (uint32_t k = 0; k < ray_count; ++k) {
+        uint8_t& traced = marks.traced[shadow.index[k]];
+        traced = uint8_t(traced + (traced < 255));
+    }
     if (!marks.finds) return;
     for (uint32_t i = 0; known.recalled.states && i < task.hits.count; ++i) {
         if (shadow.states[i] == uint32_t(PointState::hidden))

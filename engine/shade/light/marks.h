@@ -82,7 +82,7 @@ struct BatchMarks {
 
     bool finds; // whether `found` is wanted
     LightMarks found[kBatch];
-    bool traced[kBatch]; // whether any ray was
+    uint8_t traced[kBatch]; // so many rays were, up to 255
 
     void know(uint32_t point, const LightMarks& marks) {
         for (uint32_t word = 0; word < kWords; ++word) {
