@@ -3,6 +3,8 @@
 #include "read_struct.h"
 #include "scene_table.h"
 
+#include "shade/light/sphere_points.h"
+
 #include <cmath>
 #include <limits>
 
@@ -45,6 +47,11 @@ void check(const rt_light_desc& desc) {
     require_flag(desc.casts_no_shadow, "rt_light_desc.casts_no_shadow");
     require_enum(desc.falloff, RT_FALLOFF_INVERSE_SQUARE, "rt_light_desc.falloff");
     require_zero(desc.reserved, "rt_light_desc.reserved");
+    require_least_zero(desc.source_radius, "rt_light_desc.source_radius");
+    if (desc.shadow_samples > shade::kMostSpherePoints)
+        base::fail(base::Code::invalid_argument,
+                   "rt_light_desc.shadow_samples is %u; at most %u are taken", desc.shadow_samples,
+                   shade::kMostSpherePoints);
     check_radius(desc);
     if (desc.type != RT_LIGHT_POINT) require_direction(desc.direction, "rt_light_desc.direction");
     if (desc.type == RT_LIGHT_SPOT) check_cone(desc);
@@ -70,6 +77,8 @@ scene::Light to_light(const rt_light_desc& desc) {
     light.cone_inner_cos = desc.cone_inner_cos;
     light.cone_outer_cos = desc.cone_outer_cos;
     light.casts_shadow = desc.casts_no_shadow == 0;
+    light.source_radius = desc.source_radius;
+    if (desc.shadow_samples > 0) light.shadow_samples = desc.shadow_samples;
     return light;
 }
 

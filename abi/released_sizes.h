@@ -28,7 +28,7 @@ PEREGRINE_RELEASED(rt_texture_desc, 48);
 PEREGRINE_RELEASED(rt_material_desc, 192);
 PEREGRINE_RELEASED(rt_mesh_desc, 200);
 PEREGRINE_RELEASED(rt_mesh_update, 80);
-PEREGRINE_RELEASED(rt_light_desc, 72, 80);
+PEREGRINE_RELEASED(rt_light_desc, 72, 80, 88);
 PEREGRINE_RELEASED(rt_environment, 32);
 PEREGRINE_RELEASED(rt_commit_desc, 32, 40, 56);
 PEREGRINE_RELEASED(rt_commit_report, 152, 192, 224);

@@ -59,7 +59,8 @@ struct Light {
     glm::dvec3 position{0.0};
     glm::vec3 direction{0.0f, -1.0f, 0.0f};
     glm::vec3 intensity{1.0f};
-    float radius = 10.0f; // infinite: no end
+    float radius = 10.0f;       // infinite: no end
+    float source_radius = 0.0f; // rt_light_desc::source_radius
     float cone_inner_cos = 1.0f, cone_outer_cos = 0.70710678f;
     uint32_t node = no_index; // of the rig: what it follows
 };

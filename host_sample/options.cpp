@@ -163,6 +163,9 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
            "with --view-only or --headless: find light in blocks of 4, 8 or 16 pixels [0: at "
            "every pixel]")
         ->check(CLI::IsMember({0, 1, 4, 8, 16}));
+    app.add_option("--lamp-radius", options.lamp_radius,
+                   "with --view-only: lights are spheres of so many metres, and shadows soft [0]")
+        ->check(CLI::Range(0.0f, 1e3f));
     app.add_flag("--light-proofs", options.light_proofs,
                  "with --view-only: prove once what standing lamps see of the level (seconds)");
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");

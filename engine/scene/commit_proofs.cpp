@@ -59,7 +59,7 @@ Commit::LightNumbers Commit::keep_proofs() {
         }
         const bool moved = last.generation == slots[i].generation
                            && !last.holds_for(lamp, slots[i].generation, last.geometry);
-        if (options_.proofs.proves && !view.view && light.casts_shadow
+        if (options_.proofs.proves && !view.view && light.casts_shadow && light.source_radius == 0
             && (is_new_geometry || !moved))
             wanted.push_back(i);
     }

@@ -28,6 +28,10 @@ struct Light {
     float cone_inner_cos = 1;
     float cone_outer_cos = 0.70710678f;
     bool casts_shadow = true;
+    // Of the sphere that shines, in metres, or, of directional lights, of the disc at a metre. Its
+    // shadows have penumbras, of so many samples a place.
+    float source_radius = 0;
+    uint32_t shadow_samples = 16;
 
     bool operator==(const Light&) const = default;
 };

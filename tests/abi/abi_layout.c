@@ -132,6 +132,8 @@ static void print_lights(void) {
     FIELD(rt_light_desc, cone_outer_cos);
     FIELD(rt_light_desc, casts_no_shadow);
     FIELD(rt_light_desc, falloff);
+    FIELD(rt_light_desc, shadow_samples);
+    FIELD(rt_light_desc, source_radius);
     FIELD(rt_light_desc, reserved);
     STRUCT(rt_environment);
     FIELD(rt_environment, struct_size);

@@ -272,6 +272,8 @@ private:
         for (double& p : desc.position) p = double(random_.number());
         for (float& d : desc.direction) d = random_.number();
         desc.casts_no_shadow = random_.below(2);
+        if (random_.one_in(3)) desc.source_radius = random_.number();
+        desc.shadow_samples = random_.below(20);
         spoil(desc, 4);
         rt_light light;
         if (check(rt_add_light(scene_, &desc, &light)) == RT_OK) lights_.push_back(light);

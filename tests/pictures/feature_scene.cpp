@@ -247,6 +247,15 @@ void FeatureScene::add_light(rt_light_desc desc, const dvec3& position, bool sha
     rt_light light;
     stage_.check(api_.add_light(stage_.scene(), &desc, &light), "adding a light");
     if (out) *out = light;
+    lights_.emplace_back(light, desc);
+}
+
+void FeatureScene::soften() {
+    for (auto& [light, desc] : lights_) {
+        desc.source_radius = desc.type == RT_LIGHT_DIRECTIONAL ? 0.03f : 0.15f;
+        desc.shadow_samples = desc.type == RT_LIGHT_SPOT ? 7 : 0;
+        stage_.check(api_.update_light(stage_.scene(), light, &desc), "softening a light");
+    }
 }
 
 // Each kind with shadows and without.

@@ -23,6 +23,7 @@ public:
     // What changes from one commit to the next: shapes, places, a lamp, a material; one mesh hides.
     void move();
 
+    void soften(); // the shadows of its lights
     rt_camera camera() const;
     rt_camera camera_from_the_side() const;
 
@@ -57,6 +58,7 @@ private:
     rt_mesh box_{}, twin_{}, flag_{}, seen_{};
     rt_light lamp_{};
     rt_light_desc lamp_desc_{};
+    std::vector<std::pair<rt_light, rt_light_desc>> lights_;
     rt_material floor_{};
     rt_material_desc floor_desc_{};
 };

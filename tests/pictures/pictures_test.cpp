@@ -211,6 +211,19 @@ TEST_P(Pictures, Approximated) {
     expect("moved_direct", scene.camera(), direct_frame_of(160, 90));
 }
 
+TEST_P(Pictures, SoftShadows) {
+    FeatureScene scene(*stage_, {});
+    scene.soften();
+    commit();
+    expect("soft", scene.camera(), frame_of(320, 180));
+    expect("soft_side", scene.camera_from_the_side(), frame_of(161, 91));
+    if (GetParam().proofs) return;
+    rt_frame_desc frame = direct_frame_of(161, 91);
+    frame.light_block = 8;
+    frame.light_tolerance = 0.05f;
+    expect("soft_blocks", scene.camera_from_the_side(), frame);
+}
+
 TEST_P(Pictures, Moved) {
     FeatureScene scene(*stage_, {});
     commit();

@@ -461,7 +461,12 @@ typedef struct rt_light_desc {
     float cone_outer_cos; /* ... none outside this one; -1 <= outer <= inner <= 1 */
     uint32_t casts_no_shadow; /* 0 or 1; 0: shadows are traced */
     rt_falloff falloff;       /* point, spot */
-    uint32_t reserved;        /* 0 */
+    uint32_t shadow_samples;  /* of a penumbra, at most 256; 0: 16. See source_radius */
+    float source_radius; /* the light is a sphere, whose shadows are soft: its radius in metres,
+                            or, of a directional one, that of its disc at a distance of 1 m
+                            (the sun: 0.00465). 0: a point, whose shadows are sharp. Where all of
+                            the sphere or nothing of it is seen, 6 rays tell so */
+    uint32_t reserved;   /* 0 */
 } rt_light_desc;
 
 static inline rt_light_desc rt_default_light_desc(void) {

@@ -71,8 +71,11 @@ std::shared_ptr<const LightSet> make_light_set(base::Vector<Light> lights, Light
     set->prepared.reserve(set->lights.size());
     for (size_t i = 0; i < set->lights.size(); ++i) {
         PreparedLight& light = set->prepared.emplace_back(prepare(set->lights[i], bounds));
-        if (!set->views.empty()) light.visibility = set->views[i].get();
-        if (light.from_light) set->largest_radius = std::max(set->largest_radius, light.radius);
+        // Proofs are of points.
+        const bool is_point = light.source_radius == 0;
+        if (!set->views.empty() && is_point) light.visibility = set->views[i].get();
+        if (light.from_light)
+            set->largest_radius = std::max(set->largest_radius, light.radius + light.source_radius);
     }
     build_tree(*set, scheduler, memory);
     return set;

@@ -25,6 +25,8 @@ struct PreparedLight {
     float inverse_nearest; // of inverse squares: nearer places are lit as from 1 / this
     float cone_outer_cos;
     float cone_scale; // 1 / (inner - outer)
+    float source_radius;
+    uint32_t shadow_samples;
     const trace::visibility::PointVisibility* visibility =
         nullptr; // what is remembered; null: nothing
 };
@@ -70,12 +72,13 @@ inline float inverse_nearest(const math::Vec3& intensity) {
     return std::sqrt(kBrightest / strongest);
 }
 
-// Shadow rays run from the light if it is within the bounds of the scene: the lift of surfaces
-// covers the errors of rays from there (shade/surface/space.h).
+// Shadow rays run from the light if all of it is within the bounds of the scene: the lift of
+// surfaces covers the errors of rays from there (shade/surface/space.h).
 inline bool is_within(const Light& light, const math::Box& bounds) {
     const math::Vec3 position(light.position);
+    const math::Vec3 radius(light.source_radius);
     return light.type != LightType::directional
-           && glm::clamp(position, bounds.lower, bounds.upper) == position;
+           && glm::clamp(position, bounds.lower + radius, bounds.upper - radius) == position;
 }
 
 inline PreparedLight prepare(const Light& light, const math::Box& bounds) {
@@ -93,7 +96,9 @@ inline PreparedLight prepare(const Light& light, const math::Box& bounds) {
             1.0f / light.radius,
             inverse_nearest(light.intensity),
             light.cone_outer_cos,
-            1.0f / cone};
+            1.0f / cone,
+            light.source_radius,
+            light.shadow_samples};
 }
 
 // Whether any point of the box may be lit. The margin covers the rounding of both sides.

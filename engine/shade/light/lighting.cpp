@@ -1,5 +1,7 @@
 #include "shade/light/lighting.h"
 
+#include "shade/light/penumbra.h"
+
 #include <algorithm>
 
 namespace peregrine::shade {
@@ -96,9 +98,9 @@ void Lighting::mark(const Task& task, const Known& known, uint32_t ray_count) co
     }
     for (uint32_t k = 0; k < ray_count; ++k) {
         LightMarks& point = marks.found[shadow.index[k]];
-        if (shadow.occluded[k])
-            point.miss(task.slot);
-        else if (task.scratch.weights.diffuse[shadow.index[k]] > 0)
+        if (shadow.occluded[k] != ShadowMemory::kFree) point.miss(task.slot);
+        if (shadow.occluded[k] != ShadowMemory::kOccluded
+            && task.scratch.weights.diffuse[shadow.index[k]] > 0)
             point.see(task.slot);
     }
 }
@@ -106,9 +108,9 @@ void Lighting::mark(const Task& task, const Known& known, uint32_t ray_count) co
 void Lighting::illuminate(const Task& task) const {
     const PreparedLight& light = task.light;
     Scratch& scratch = task.scratch;
-    if (light.from_light && light.radius > space_.light_reach
-        && reach_between(light.position, scratch.surface.bounds) > space_.light_reach)
-        [[unlikely]] {
+    if (light.from_light && light.radius + light.source_radius > space_.light_reach
+        && reach_between(light.position, scratch.surface.bounds) + light.source_radius
+               > space_.light_reach) [[unlikely]] {
         PreparedLight distant = light;
         distant.from_light = false;
         return illuminate({distant, task.slot, task.hits, scratch, task.marks});
@@ -129,8 +131,11 @@ void Lighting::illuminate(const Task& task) const {
         scratch.surface, task.hits.count, light, known.recalled, scratch.weights, rays);
     bool any_is_lit = ray_count > 0 || known.some_are_lit;
     if (traces && ray_count > 0) {
-        const uint32_t hidden = shadows_.hide_occluded(light, ray_count, known.recalled.traces_lit,
-                                                       shadow, scratch.weights);
+        const uint32_t hidden =
+            light.source_radius > 0
+                ? hide_penumbra(shadows_, light, ray_count, shadow, scratch.weights)
+                : shadows_.hide_occluded(light, ray_count, known.recalled.traces_lit, shadow,
+                                         scratch.weights);
         any_is_lit = hidden < ray_count || known.some_are_lit;
     }
     if (marks) mark(task, known, ray_count);

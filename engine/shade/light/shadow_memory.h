@@ -26,7 +26,8 @@ struct alignas(64) ShadowMemory {
     Lanes fixed_direction[3];
     uint32_t fixed_index[kPadded];
     uint8_t fixed_occluded[kPadded];
-    uint8_t occluded[kPadded];
+    static constexpr uint8_t kFree = 0, kOccluded = 1, kPenumbra = 2;
+    uint8_t occluded[kPadded]; // kPenumbra of spheres alone
     uint64_t ray_count;
 
     void initialize(); // of zeroed memory

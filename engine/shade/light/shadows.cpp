@@ -48,6 +48,10 @@ trace::RayStream Shadows::list(const PreparedLight& light, uint32_t ray_count,
     return rays;
 }
 
+trace::Positions Shadows::positions_of(const trace::RayStream& rays) const {
+    return {{rays.origin[0], rays.origin[1], rays.origin[2]}, space_.origin};
+}
+
 // Fixed and deforming meshes see rays relative to the world's origin, rounded to float.
 trace::RayStream Shadows::in_world(trace::RayStream rays, ShadowMemory& memory) const {
     if (!space_.is_elsewhere) return rays;
@@ -61,18 +65,23 @@ trace::RayStream Shadows::in_world(trace::RayStream rays, ShadowMemory& memory) 
     return rays;
 }
 
-uint32_t Shadows::hide_occluded(const PreparedLight& light, uint32_t ray_count, bool some_are_lit,
-                                ShadowMemory& memory, LightWeights& weights) const {
+void Shadows::trace(const PreparedLight& light, uint32_t ray_count, ShadowMemory& memory) const {
     const trace::RayStream rays = list(light, ray_count, memory);
     memory.ray_count += ray_count;
-    const trace::Positions positions = {{rays.origin[0], rays.origin[1], rays.origin[2]},
-                                        space_.origin};
+    trace::occluded(snapshot_->world, in_world(rays, memory), positions_of(rays), filter_,
+                    memory.occluded);
+}
+
+uint32_t Shadows::hide_occluded(const PreparedLight& light, uint32_t ray_count, bool some_are_lit,
+                                ShadowMemory& memory, LightWeights& weights) const {
     if (some_are_lit) {
+        const trace::RayStream rays = list(light, ray_count, memory);
+        memory.ray_count += ray_count;
         ask_for_mixed(rays, memory);
-        trace::occluded_by_moving(snapshot_->world, rays, positions, filter_, memory.occluded);
+        trace::occluded_by_moving(snapshot_->world, rays, positions_of(rays), filter_,
+                                  memory.occluded);
     } else {
-        trace::occluded(snapshot_->world, in_world(rays, memory), positions, filter_,
-                        memory.occluded);
+        trace(light, ray_count, memory);
     }
     uint32_t hidden = 0;
     for (uint32_t k = 0; k < ray_count; ++k) {

@@ -27,10 +27,14 @@ public:
     uint32_t hide_occluded(const PreparedLight& light, uint32_t ray_count, bool some_are_lit,
                            ShadowMemory& memory, LightWeights& weights) const;
 
+    // Fills memory.occluded for those rays, of which none is remembered.
+    void trace(const PreparedLight& light, uint32_t ray_count, ShadowMemory& memory) const;
+
 private:
     trace::RayStream list(const PreparedLight& light, uint32_t ray_count,
                           ShadowMemory& memory) const;
     trace::RayStream in_world(trace::RayStream rays, ShadowMemory& memory) const;
+    trace::Positions positions_of(const trace::RayStream& rays) const;
     void ask_for_mixed(const trace::RayStream& rays, ShadowMemory& memory) const;
 
     const scene::Snapshot* snapshot_;
