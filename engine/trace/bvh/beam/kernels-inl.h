@@ -145,7 +145,9 @@ public:
 
     HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
                                    uint32_t group, const Candidates& rays) {
-        const uint32_t certain = Filtered ? 0 : rays.certain;
+        uint32_t certain = rays.certain;
+        if (Filtered && certain && !filter_.accepts_all(target_.infos[block.triangle[lane]]))
+            certain = 0;
         for (uint32_t i = 0; certain && i < kGroupRays; i += kLanes8)
             block_lanes(group * kGroupRays + i, mask_of(certain >> i));
         blocked_[group] |= certain;
