@@ -54,10 +54,8 @@ struct Facets {
     alignas(16) float least_h[4], most_h[4]; // of a hit: the limit's own rounding is counted
     alignas(16) float nearest[4];            // no hit has a smaller z
     alignas(16) float vertex[3][3][4]; // relative to the origin: vertex, axis (x, y, z), triangle
-    alignas(16) float across[3][2][4], along[3][4]; // vertex, x and y from the centre
-    alignas(16) float reach[4];                     // D or more
-    alignas(16) float p0[4], p1[4], q0[4], q1[4];   // windows of those returned
-    uint32_t by_window;                             // bits: of uncertain orientation
+    alignas(16) float p0[4], p1[4], q0[4], q1[4]; // windows of those returned
+    uint32_t by_window;                           // bits: of uncertain orientation
 
     // Returns the triangles that rays in `window` may hit up to the z of `limit`.
     HWY_ATTR uint32_t project(const Beam& beam, const Block& block, const Window& window,
@@ -151,9 +149,6 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
         z[i] = hn::Mul(vz, sign);
         x[i] = hn::NegMulAdd(cp, z[i], vx);
         y[i] = hn::NegMulAdd(cq, z[i], vy);
-        hn::Store(x[i], k4, across[i][0]);
-        hn::Store(y[i], k4, across[i][1]);
-        hn::Store(z[i], k4, along[i]);
         reach_across = hn::Max(reach_across, hn::Max(hn::Abs(x[i]), hn::Abs(y[i])));
         reach_along = hn::Max(reach_along, hn::Abs(z[i]));
         reach_uncentered = hn::Max(reach_uncentered, hn::Max(hn::Abs(vx), hn::Abs(vy)));
@@ -169,7 +164,6 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
     const V4 e =
         hn::MulAdd(hn::Mul(hn::Set(k4, 0x1p-17f), r), hn::Add(d, r), hn::Set(k4, 0x1p-140f));
     hn::Store(e, k4, tolerance);
-    hn::Store(d, k4, reach);
 
     const V4 p0 = hn::Set(k4, window.p0), p1 = hn::Set(k4, window.p1);
     const V4 q0 = hn::Set(k4, window.q0), q1 = hn::Set(k4, window.q1);

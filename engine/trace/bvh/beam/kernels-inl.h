@@ -11,7 +11,6 @@
 
 #include "geometry/intersect.h"
 #include "trace/bvh/beam/judge-inl.h"
-#include "trace/bvh/beam/limit_planes-inl.h"
 #include "trace/bvh/beam/traversal-inl.h"
 #include "trace/bvh/single/plain.h"
 #include "trace/bvh/stream/hit_board-inl.h"
@@ -86,8 +85,6 @@ public:
         if (changed) beam_.update_limit(group);
     }
 
-    static uint32_t find_before(const Facets&, uint32_t, uint32_t mask) { return mask; }
-
     HWY_INLINE HWY_ATTR V8 end(uint32_t at) const { return board_.best(at); }
 
     HWY_INLINE HWY_ATTR bool take(uint32_t at, const EightHits& hits, V8 dz, uint32_t index) {
@@ -131,7 +128,7 @@ public:
 
     HWY_ATTR OccludedBeam(const Target& target, Beam& beam, const RayStream& rays,
                           const Filter& filter)
-        : target_(target), beam_(beam), rays_(rays), filter_(filter), planes_(beam) {}
+        : target_(target), beam_(beam), rays_(rays), filter_(filter) {}
 
     // Where triangles are smaller than what lies between rays, a wave is faster.
     uint32_t most_tiny() const { return kWaves ? beam_.count / 3 : ~0u; }
@@ -155,11 +152,6 @@ public:
         const bool changed =
             open && judge_group<false>(beam_, rays_, facets, block, lane, group, open, *this);
         if (certain || changed) beam_.update_limit(group);
-    }
-
-    HWY_INLINE HWY_ATTR uint32_t find_before(const Facets& facets, uint32_t lane,
-                                             uint32_t mask) const {
-        return planes_.find_before(facets, lane, mask);
     }
 
     HWY_INLINE HWY_ATTR V8 end(uint32_t at) const {
@@ -211,7 +203,6 @@ private:
     Beam& beam_;
     const RayStream& rays_;
     const Filter& filter_;
-    LimitPlanes planes_;
     uint32_t blocked_[kGroups] = {}; // bits
 };
 
