@@ -49,10 +49,11 @@ HWY_INLINE uint32_t recall_points(const trace::visibility::PointVisibility& visi
                                           hn::BitCast(kS, hn::VecFromMask(kF, hn::Ge(rest, one))));
             const auto row = hn::Mul(iv, hn::Sub(hn::Set(kS, 2 * side), iv));
             const auto index = hn::Sub(hn::Add(row, hn::Add(iu, iu)), upper); // a mask is -1
-            const auto word =
-                hn::Add(hn::ShiftRight<4>(index), hn::Set(kS, int32_t(view.first_word())));
-            const auto* codes = visibility.codes();
-            const auto bits = hn::GatherIndex(kU, codes, word);
+            const uint32_t* const codes = visibility.codes() + view.first_word();
+            // Up to 16 patches are one word, and few triangles have more.
+            const auto bits = view.level() <= 2
+                                  ? hn::Set(kU, *codes)
+                                  : hn::GatherIndex(kU, codes, hn::ShiftRight<4>(index));
             const auto shift = hn::BitCast(kU, hn::ShiftLeft<1>(hn::And(index, hn::Set(kS, 15))));
             state = hn::And(hn::Shr(bits, shift), hn::Set(kU, 3));
         }
