@@ -99,30 +99,37 @@ struct GroupsOfFacet {
     uint32_t inside = 0; // of these, those with all rays between the edges
 };
 
-// Groups of `mask` whose windows meet the facet's.
+// Groups of `mask` whose windows meet the facet's, and of which some end beyond its plane.
 HWY_INLINE HWY_ATTR uint32_t find_meeting(const Beam& beam, const Facets& facets, uint32_t lane,
                                           uint32_t mask) {
     const V8 nearest = hn::Set(k8, facets.nearest[lane]);
     const V8 p0 = hn::Set(k8, facets.p0[lane]), p1 = hn::Set(k8, facets.p1[lane]);
     const V8 q0 = hn::Set(k8, facets.q0[lane]), q1 = hn::Set(k8, facets.q1[lane]);
+    const bool plane_left = facets.plane_a[lane] < 0, plane_top = facets.plane_b[lane] < 0;
+    const float* const plane_p = plane_left ? beam.group_p0 : beam.group_p1;
+    const float* const plane_q = plane_top ? beam.group_q0 : beam.group_q1;
     uint32_t bits = 0;
     for (uint32_t g = 0; g < kGroups; g += kLanes8) {
         const auto in_p = hn::And(hn::Le(p0, hn::Load(k8, beam.group_p1 + g)),
                                   hn::Ge(p1, hn::Load(k8, beam.group_p0 + g)));
         const auto in_q = hn::And(hn::Le(q0, hn::Load(k8, beam.group_q1 + g)),
                                   hn::Ge(q1, hn::Load(k8, beam.group_q0 + g)));
-        const auto open = hn::Ge(hn::Load(k8, beam.group_limit + g), nearest);
+        const V8 limit = hn::Load(k8, beam.group_limit + g);
+        // What find_by_edges asks of each ray: here of the corner where it comes closest to yes.
+        const V8 w = linear_at(hn::Load(k8, plane_p + g), hn::Load(k8, plane_q + g),
+                               facets.plane_a[lane], facets.plane_b[lane], facets.plane_c[lane]);
+        const auto beyond = hn::Lt(hn::Mul(limit, w), hn::Set(k8, facets.least_h[lane]));
+        const auto open = hn::AndNot(beyond, hn::Ge(limit, nearest));
         bits |= bits_of(k8, hn::And(open, hn::And(in_p, in_q))) << g;
     }
     return bits & mask;
 }
 
-// Groups of `mask`, which find_meeting returned, as far as edge functions and depth tell.
+// Groups of `mask`, which find_meeting returned, as far as edge functions tell.
 HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& facets, uint32_t lane,
                                               uint32_t mask) {
     if (facets.by_window >> lane & 1) return {mask, 0};
     GroupsOfFacet groups;
-    const V8 nearest = hn::Set(k8, facets.nearest[lane]);
     // The corners of a group's window where an edge function is largest and smallest depend on its
     // signs alone.
     const float *high_p[3], *high_q[3], *low_p[3], *low_q[3];
@@ -134,9 +141,6 @@ HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& fa
         low_q[k] = top ? beam.group_q1 : beam.group_q0;
     }
     const V8 tolerance = hn::Set(k8, facets.tolerance[lane]);
-    const bool plane_left = facets.plane_a[lane] < 0, plane_top = facets.plane_b[lane] < 0;
-    const float* const plane_p = plane_left ? beam.group_p0 : beam.group_p1;
-    const float* const plane_q = plane_top ? beam.group_q0 : beam.group_q1;
     for (uint32_t g = 0; g < kGroups; g += kLanes8) {
         const auto edge = [&](const float* const* p, const float* const* q, int k) HWY_ATTR {
             return linear_at(hn::Load(k8, p[k] + g), hn::Load(k8, q[k] + g), facets.a[k][lane],
@@ -146,13 +150,7 @@ HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& fa
                                 hn::Min(edge(high_p, high_q, 1), edge(high_p, high_q, 2)));
         const V8 least =
             hn::Min(edge(low_p, low_q, 0), hn::Min(edge(low_p, low_q, 1), edge(low_p, low_q, 2)));
-        // What find_by_edges asks of each ray: here of the corner where it comes closest to yes.
-        const V8 w = linear_at(hn::Load(k8, plane_p + g), hn::Load(k8, plane_q + g),
-                               facets.plane_a[lane], facets.plane_b[lane], facets.plane_c[lane]);
-        const auto too_far = hn::Lt(hn::Mul(hn::Load(k8, beam.group_limit + g), w),
-                                    hn::Set(k8, facets.least_h[lane]));
-        const auto open = hn::AndNot(too_far, hn::Ge(most, hn::Neg(tolerance)));
-        groups.open |= bits_of(k8, open) << g;
+        groups.open |= bits_of(k8, hn::Ge(most, hn::Neg(tolerance))) << g;
         groups.inside |= bits_of(k8, hn::Gt(least, tolerance)) << g;
     }
     groups.open &= mask;

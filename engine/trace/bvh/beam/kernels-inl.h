@@ -66,6 +66,8 @@ class ClosestBeam {
 public:
     // Leaves up to this part of a beam's side are tiny; a group's is a quarter.
     static constexpr float kTinySide = 0.125f;
+    // So many groups that meet a facet's window are not asked about its edges as wholes.
+    static constexpr uint32_t kFewGroups = 0;
 
     HWY_ATTR ClosestBeam(const Target& target, Beam& beam, const RayStream& rays,
                          const Filter& filter, const HitStream& out)
@@ -125,6 +127,7 @@ template <bool Filtered>
 class OccludedBeam {
 public:
     static constexpr float kTinySide = 0.3f; // see ClosestBeam
+    static constexpr uint32_t kFewGroups = 6;
 
     HWY_ATTR OccludedBeam(const Target& target, Beam& beam, const RayStream& rays,
                           const Filter& filter)

@@ -48,7 +48,9 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
             const uint32_t lane = uint32_t(__builtin_ctz(lanes));
             const uint32_t meeting = find_meeting(beam, facets, lane, mask);
             if (meeting == 0) continue;
-            const GroupsOfFacet groups = find_groups(beam, facets, lane, meeting);
+            const GroupsOfFacet groups = uint32_t(__builtin_popcount(meeting)) <= Kernel::kFewGroups
+                                             ? GroupsOfFacet{meeting, 0}
+                                             : find_groups(beam, facets, lane, meeting);
             for (uint32_t left = groups.open; left; left &= left - 1) {
                 const uint32_t group = uint32_t(__builtin_ctz(left));
                 const Candidates rays =
