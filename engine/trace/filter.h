@@ -49,6 +49,10 @@ struct Filter {
     bool asks_alpha(const geometry::TriangleInfo& triangle) const {
         return alpha.present && (triangle.flags & geometry::kMasked);
     }
+    // Wherever it is hit, and from both sides.
+    bool accepts_all(const geometry::TriangleInfo& triangle) const {
+        return sees_front() && sees_back(triangle) && sees_mesh(triangle) && !asks_alpha(triangle);
+    }
 
     bool accepts(const geometry::TriangleInfo& triangle, bool back_face, float u, float v) const {
         return (back_face ? sees_back(triangle) : sees_front()) && sees_mesh(triangle)

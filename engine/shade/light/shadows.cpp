@@ -84,12 +84,13 @@ uint32_t Shadows::hide_occluded(const PreparedLight& light, uint32_t ray_count, 
         trace(light, ray_count, memory);
     }
     uint32_t hidden = 0;
+    for (uint32_t k = 0; k < ray_count; ++k) hidden += memory.occluded[k];
+    if (hidden == 0) return 0;
     for (uint32_t k = 0; k < ray_count; ++k) {
         // Without a branch: shadow edges are unpredictable.
         float& weight = weights.diffuse[memory.index[k]];
         weight = std::bit_cast<float>(std::bit_cast<uint32_t>(weight)
                                       & (uint32_t(memory.occluded[k]) - 1u));
-        hidden += memory.occluded[k];
     }
     return hidden;
 }

@@ -6,7 +6,7 @@
 
 namespace peregrine::shade {
 
-inline constexpr uint32_t kBatch = 256;          // rays shaded at a time: they fit the L1 cache
+inline constexpr uint32_t kBatch = 512; // rays shaded at a time: their shadow rays fill a beam
 inline constexpr uint32_t kPadded = kBatch + 16; // vectors may write this far
 
 // Neighbouring rays that hit the same side of one triangle, or nothing.

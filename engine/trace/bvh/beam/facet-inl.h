@@ -30,9 +30,16 @@ using accel::bvh::Block;
 //     tolerance = 2^-17 R (D + R)
 // the sign is that of the canonical test; within, the canonical test decides.
 //
-// The z of a canonical hit is the mean of the vertices' z, weighed with its own edge functions:
-//     z = nearest + (U (z0 - nearest) + V (z1 - nearest) + W (z2 - nearest)) / (U + V + W).
-// With at most 1 tolerance of error in each function that bounds z from both sides.
+// Depth is bounded by a plane h(x, y, z) = a x + b y + c z, x and y from the centre, which is about
+// 1 at the vertices: with w = a dp + b dq + c, a hit at z has z w within the range of h at them,
+// give or take
+//     e (10 D K + (8 + 3 S) M L),   L = |a| + |b| + |c|,
+// whatever a, b and c are. M is the largest distance of a vertex along an axis, from the centre for
+// x and y; K = |a| (1 + |p|) + |b| (1 + |q|) + |c| for the centre (p, q), S the largest slope from
+// it. Of this 8.1 D K are the theorem's of geometry/intersect.h, D K and M L the vertices', 3 M L
+// those of h at them, (2 + 3 S) M L those of w. As long as h is positive at all vertices, a ray
+// hits nothing where its limit times w is less, and where it is more, z is within the limit for
+// certain.
 //
 // A triangle whose orientation is within the tolerance, because it is seen edge-on or is tiny, is
 // judged by the window that it fills instead: by the theorem of geometry/intersect.h, hits are
@@ -43,23 +50,20 @@ struct Facets {
     // all three are positive.
     alignas(16) float a[3][4], b[3][4], c[3][4];
     alignas(16) float tolerance[4];
-    // The sum of the edge functions, and the sum of each times how far its vertex is beyond the
-    // nearest: their quotient is how far beyond it a hit is.
-    alignas(16) float det_a[4], det_b[4], det_c[4];
-    alignas(16) float beyond_a[4], beyond_b[4], beyond_c[4];
-    alignas(16) float beyond_tolerance[4];
-    alignas(16) float nearest[4];      // no hit has a smaller z
+    alignas(16) float plane_a[4], plane_b[4], plane_c[4];
+    alignas(16) float least_h[4], most_h[4]; // of a hit: the limit's own rounding is counted
+    alignas(16) float nearest[4];            // no hit has a smaller z
     alignas(16) float vertex[3][3][4]; // relative to the origin: vertex, axis (x, y, z), triangle
-    alignas(16) float across[3][2][4], along[3][4]; // vertex, x and y from the centre
-    alignas(16) float reach[4];                     // D or more
-    alignas(16) float p0[4], p1[4], q0[4], q1[4];   // windows of those returned
-    uint32_t by_window;                             // bits: of uncertain orientation
+    alignas(16) float p0[4], p1[4], q0[4], q1[4]; // windows of those returned
+    uint32_t by_window;                           // bits: of uncertain orientation
 
     // Returns the triangles that rays in `window` may hit up to the z of `limit`.
     HWY_ATTR uint32_t project(const Beam& beam, const Block& block, const Window& window,
                               float limit);
 
 private:
+    HWY_ATTR void find_planes(const Beam& beam, const V4 (&x)[3], const V4 (&y)[3],
+                              const V4 (&z)[3], V4 most, V4 reach, float spread);
     HWY_ATTR uint32_t find_windows(const V4 (&x)[3], const V4 (&y)[3], const V4 (&z)[3], V4 least_z,
                                    V4 reach, const Window& window);
 };
@@ -95,12 +99,45 @@ inline HWY_ATTR uint32_t Facets::find_windows(const V4 (&x)[3], const V4 (&y)[3]
     return bits_of(k4, hn::And(across, down));
 }
 
+// `most`: M; `reach`: D; `spread`: S.
+inline HWY_ATTR void Facets::find_planes(const Beam& beam, const V4 (&x)[3], const V4 (&y)[3],
+                                         const V4 (&z)[3], V4 most, V4 reach, float spread) {
+    const V4 x1 = hn::Sub(x[1], x[0]), y1 = hn::Sub(y[1], y[0]), z1 = hn::Sub(z[1], z[0]);
+    const V4 x2 = hn::Sub(x[2], x[0]), y2 = hn::Sub(y[2], y[0]), z2 = hn::Sub(z[2], z[0]);
+    const V4 nx = hn::NegMulAdd(z1, y2, hn::Mul(y1, z2));
+    const V4 ny = hn::NegMulAdd(x1, z2, hn::Mul(z1, x2));
+    const V4 nz = hn::NegMulAdd(y1, x2, hn::Mul(x1, y2));
+    const V4 height = hn::MulAdd(nx, x[0], hn::MulAdd(ny, y[0], hn::Mul(nz, z[0])));
+    const V4 one = hn::Set(k4, 1.0f), scale = hn::Div(one, height);
+    const V4 pa = hn::Mul(nx, scale), pb = hn::Mul(ny, scale), pc = hn::Mul(nz, scale);
+    const auto at = [&](int i) HWY_ATTR __attribute__((always_inline)) {
+        return hn::MulAdd(pa, x[i], hn::MulAdd(pb, y[i], hn::Mul(pc, z[i])));
+    };
+    const V4 h0 = at(0), h1 = at(1), h2 = at(2);
+    const V4 ab = hn::Add(hn::Abs(pa), hn::Abs(pb)), l = hn::Add(ab, hn::Abs(pc));
+    const V4 k = hn::MulAdd(hn::Abs(pa), hn::Set(k4, std::abs(beam.center_p)),
+                            hn::MulAdd(hn::Abs(pb), hn::Set(k4, std::abs(beam.center_q)), l));
+    const V4 e = hn::MulAdd(hn::Mul(hn::Set(k4, 10 * 0x1p-24f), reach), k,
+                            hn::Mul(hn::Mul(hn::Set(k4, (8 + 3 * spread) * 0x1p-24f), most), l));
+    const V4 low = hn::Sub(hn::Min(h0, hn::Min(h1, h2)), e);
+    const V4 high = hn::Add(hn::Max(h0, hn::Max(h1, h2)), e);
+    const auto known = hn::And(hn::Gt(low, hn::Zero(k4)), hn::Lt(high, hn::Set(k4, 2.0f)));
+    const V4 infinity = hn::Set(k4, std::numeric_limits<float>::infinity());
+    hn::Store(hn::IfThenElseZero(known, pa), k4, plane_a);
+    hn::Store(hn::IfThenElseZero(known, pb), k4, plane_b);
+    hn::Store(hn::IfThenElse(known, pc, one), k4, plane_c);
+    hn::Store(hn::IfThenElse(known, hn::Mul(low, hn::Set(k4, 1.0f - 0x1p-20f)), hn::Neg(infinity)),
+              k4, least_h);
+    hn::Store(hn::IfThenElse(known, hn::Mul(high, hn::Set(k4, 1.0f + 0x1p-20f)), infinity), k4,
+              most_h);
+}
+
 inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, const Window& window,
                                          float limit) {
     const V4 sign = hn::Set(k4, beam.sign);
     const V4 cp = hn::Set(k4, beam.center_p), cq = hn::Set(k4, beam.center_q);
     V4 x[3], y[3], z[3];
-    V4 reach_across = hn::Zero(k4), reach_along = hn::Zero(k4);
+    V4 reach_across = hn::Zero(k4), reach_along = hn::Zero(k4), reach_uncentered = hn::Zero(k4);
     V4 least_z = hn::Set(k4, std::numeric_limits<float>::infinity());
     for (int i = 0; i < 3; ++i) {
         const V4 vx = hn::Sub(hn::Load(k4, block.vertex[i][beam.kx]), hn::Set(k4, beam.origin[0]));
@@ -112,11 +149,9 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
         z[i] = hn::Mul(vz, sign);
         x[i] = hn::NegMulAdd(cp, z[i], vx);
         y[i] = hn::NegMulAdd(cq, z[i], vy);
-        hn::Store(x[i], k4, across[i][0]);
-        hn::Store(y[i], k4, across[i][1]);
-        hn::Store(z[i], k4, along[i]);
         reach_across = hn::Max(reach_across, hn::Max(hn::Abs(x[i]), hn::Abs(y[i])));
         reach_along = hn::Max(reach_along, hn::Abs(z[i]));
+        reach_uncentered = hn::Max(reach_uncentered, hn::Max(hn::Abs(vx), hn::Abs(vy)));
         least_z = hn::Min(least_z, z[i]);
     }
     // t z is a mean of the vertices' z, rounded: 3 e.
@@ -129,7 +164,6 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
     const V4 e =
         hn::MulAdd(hn::Mul(hn::Set(k4, 0x1p-17f), r), hn::Add(d, r), hn::Set(k4, 0x1p-140f));
     hn::Store(e, k4, tolerance);
-    hn::Store(d, k4, reach);
 
     const V4 p0 = hn::Set(k4, window.p0), p1 = hn::Set(k4, window.p1);
     const V4 q0 = hn::Set(k4, window.q0), q1 = hn::Set(k4, window.q1);
@@ -168,23 +202,13 @@ inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, c
         hn::Store(tc, k4, c[edge]);
         most = hn::Min(most, highest(ta, tb, tc));
     }
-    V4 range = hn::Zero(k4), sa = range, sb = range, sc = range;
-    for (int i = 0; i < 3; ++i) {
-        const V4 beyond = hn::Mul(hn::Sub(z[i], least_z), turn);
-        range = hn::Max(range, hn::Abs(beyond));
-        sa = hn::MulAdd(ea[i], beyond, sa);
-        sb = hn::MulAdd(eb[i], beyond, sb);
-        sc = hn::MulAdd(ec[i], beyond, sc);
-    }
-    hn::Store(hn::Mul(da, turn), k4, det_a);
-    hn::Store(hn::Mul(db, turn), k4, det_b);
-    hn::Store(hn::Mul(dc, turn), k4, det_c);
-    hn::Store(sa, k4, beyond_a);
-    hn::Store(sb, k4, beyond_b);
-    hn::Store(sc, k4, beyond_c);
-    hn::Store(hn::MulAdd(range, e4, hn::Set(k4, 0x1p-100f)), k4, beyond_tolerance);
+    find_planes(beam, x, y, z, hn::Max(reach_across, reach_along),
+                hn::Max(reach_uncentered, reach_along), spread);
     by_window = ~bits_of(k4, hn::Or(front, back)) & 15u;
-    const uint32_t near_enough = bits_of(k4, hn::Le(nearest_z, hn::Set(k4, limit)));
+    const V4 most_w = highest(hn::Load(k4, plane_a), hn::Load(k4, plane_b), hn::Load(k4, plane_c));
+    const auto beyond = hn::Lt(hn::Mul(most_w, hn::Set(k4, limit)), hn::Load(k4, least_h));
+    const uint32_t near_enough =
+        bits_of(k4, hn::AndNot(beyond, hn::Le(nearest_z, hn::Set(k4, limit))));
     const uint32_t seen = bits_of(k4, hn::Ge(most, hn::Neg(e))) | by_window;
     if ((seen & near_enough) == 0) return 0;
     return seen & near_enough & find_windows(x, y, z, least_z, d, window);

@@ -11,7 +11,6 @@
 
 #include "geometry/intersect.h"
 #include "trace/bvh/beam/judge-inl.h"
-#include "trace/bvh/beam/limit_planes-inl.h"
 #include "trace/bvh/beam/traversal-inl.h"
 #include "trace/bvh/single/plain.h"
 #include "trace/bvh/stream/hit_board-inl.h"
@@ -67,6 +66,8 @@ class ClosestBeam {
 public:
     // Leaves up to this part of a beam's side are tiny; a group's is a quarter.
     static constexpr float kTinySide = 0.125f;
+    // So many groups that meet a facet's window are not asked about its edges as wholes.
+    static constexpr uint32_t kFewGroups = 0;
 
     HWY_ATTR ClosestBeam(const Target& target, Beam& beam, const RayStream& rays,
                          const Filter& filter, const HitStream& out)
@@ -85,8 +86,6 @@ public:
                 : judge_group<false>(beam_, rays_, facets, block, lane, group, rays.open, *this);
         if (changed) beam_.update_limit(group);
     }
-
-    static uint32_t find_before(const Facets&, uint32_t, uint32_t mask) { return mask; }
 
     HWY_INLINE HWY_ATTR V8 end(uint32_t at) const { return board_.best(at); }
 
@@ -128,10 +127,11 @@ template <bool Filtered>
 class OccludedBeam {
 public:
     static constexpr float kTinySide = 0.3f; // see ClosestBeam
+    static constexpr uint32_t kFewGroups = 6;
 
     HWY_ATTR OccludedBeam(const Target& target, Beam& beam, const RayStream& rays,
                           const Filter& filter)
-        : target_(target), beam_(beam), rays_(rays), filter_(filter), planes_(beam) {}
+        : target_(target), beam_(beam), rays_(rays), filter_(filter) {}
 
     // Where triangles are smaller than what lies between rays, a wave is faster.
     uint32_t most_tiny() const { return kWaves ? beam_.count / 3 : ~0u; }
@@ -145,7 +145,9 @@ public:
 
     HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
                                    uint32_t group, const Candidates& rays) {
-        const uint32_t certain = Filtered ? 0 : rays.certain;
+        uint32_t certain = rays.certain;
+        if (Filtered && certain && !filter_.accepts_all(target_.infos[block.triangle[lane]]))
+            certain = 0;
         for (uint32_t i = 0; certain && i < kGroupRays; i += kLanes8)
             block_lanes(group * kGroupRays + i, mask_of(certain >> i));
         blocked_[group] |= certain;
@@ -153,11 +155,6 @@ public:
         const bool changed =
             open && judge_group<false>(beam_, rays_, facets, block, lane, group, open, *this);
         if (certain || changed) beam_.update_limit(group);
-    }
-
-    HWY_INLINE HWY_ATTR uint32_t find_before(const Facets& facets, uint32_t lane,
-                                             uint32_t mask) const {
-        return planes_.find_before(facets, lane, mask);
     }
 
     HWY_INLINE HWY_ATTR V8 end(uint32_t at) const {
@@ -209,7 +206,6 @@ private:
     Beam& beam_;
     const RayStream& rays_;
     const Filter& filter_;
-    LimitPlanes planes_;
     uint32_t blocked_[kGroups] = {}; // bits
 };
 

@@ -46,10 +46,11 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
         if (count - first < accel::bvh::kBlockWidth) lanes &= (1u << (count - first)) - 1;
         for (; lanes; lanes &= lanes - 1) {
             const uint32_t lane = uint32_t(__builtin_ctz(lanes));
-            uint32_t meeting = find_meeting(beam, facets, lane, mask);
-            if (meeting != 0) meeting = kernel.find_before(facets, lane, meeting);
+            const uint32_t meeting = find_meeting(beam, facets, lane, mask);
             if (meeting == 0) continue;
-            const GroupsOfFacet groups = find_groups(beam, facets, lane, meeting);
+            const GroupsOfFacet groups = uint32_t(__builtin_popcount(meeting)) <= Kernel::kFewGroups
+                                             ? GroupsOfFacet{meeting, 0}
+                                             : find_groups(beam, facets, lane, meeting);
             for (uint32_t left = groups.open; left; left &= left - 1) {
                 const uint32_t group = uint32_t(__builtin_ctz(left));
                 const Candidates rays =
