@@ -20,7 +20,7 @@ static_assert(RT_FORMAT_RGBA8_SRGB == int(render::PixelFormat::rgba8_srgb));
 static_assert(RT_FORMAT_BGRA8_SRGB == int(render::PixelFormat::bgra8_srgb));
 static_assert(RT_FORMAT_RGBA16F == int(render::PixelFormat::rgba16f));
 static_assert(RT_FORMAT_RGBA32F == int(render::PixelFormat::rgba32f));
-static_assert(RT_VIEW_LIGHT == int(render::View::light));
+static_assert(RT_VIEW_OCCLUSION == int(render::View::occlusion));
 static_assert(RT_TONE_NONE == int(render::ToneMapping::none));
 
 math::Vec3d to_unit(const float (&v)[3]) {
@@ -88,7 +88,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     check_format(in);
     require_extent(in.width, kLargestFrame, "rt_frame_desc.width");
     require_extent(in.height, kLargestFrame, "rt_frame_desc.height");
-    require_enum(in.view, RT_VIEW_LIGHT, "rt_frame_desc.view");
+    require_enum(in.view, RT_VIEW_OCCLUSION, "rt_frame_desc.view");
     require_positive(in.exposure, "rt_frame_desc.exposure");
     require_positive(in.depth_range, "rt_frame_desc.depth_range");
     require_positive(in.steps_range, "rt_frame_desc.steps_range");
@@ -110,6 +110,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     frame.steps_range = in.steps_range;
     frame.shadows = in.no_shadows == 0;
     frame.approximations = to_approximations(in);
+    frame.occlusion = to_occlusion(in);
     return frame;
 }
 
@@ -120,6 +121,8 @@ rt_frame_stats to_stats(const render::FrameStats& in) {
     out.rays_shadow = in.rays_shadow;
     out.rays_edge = in.rays_edge;
     out.light_points = in.light_points;
+    out.rays_occlusion = in.rays_occlusion;
+    out.occlusion_points = in.occlusion_points;
     out.frame_ms = in.frame_ms;
     out.isa = rt_isa(in.isa);
     return out;

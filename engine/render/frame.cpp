@@ -29,6 +29,7 @@ public:
           plan_(snapshot, camera, frame, moved_lights_, film_ ? &*film_ : nullptr),
           workers_(std::min(scheduler.concurrency(), tiles_of(plan_.extent)), memory),
           tile_lights_(frame.keeps_light() ? workers_.size() : 0, memory),
+          tile_openness_(plan_.shader.finds_openness() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
           edges_(frame.looks_for_edges() ? workers_.size() : 0, memory) {}
 
@@ -37,6 +38,10 @@ public:
             workers_[i].scratch.shadow.initialize();
             workers_[i].scratch.lists = light_room_.lists(i);
             if (!tile_lights_.empty()) workers_[i].light = &tile_lights_[i];
+            if (!tile_openness_.empty()) {
+                workers_[i].openness = &tile_openness_[i];
+                workers_[i].scratch.openness = &tile_openness_[i].memory;
+            }
             begin_primary_rays(plan_, workers_[i]);
         });
         for_each_tile([&](TileBuffers& buffers, uint32_t) {
@@ -52,6 +57,10 @@ public:
             stats.rays_shadow += buffers.scratch.shadow.ray_count;
             stats.light_points += buffers.light_point_count;
             stats.rays_edge += buffers.edge_ray_count;
+        }
+        for (const shade::TileOpenness& openness : tile_openness_) {
+            stats.rays_occlusion += openness.memory.ray_count;
+            stats.occlusion_points += openness.point_count;
         }
     }
 
@@ -110,7 +119,8 @@ private:
     std::optional<Film> film_;
     const Plan plan_;
     base::Vector<TileBuffers> workers_;
-    base::Vector<shade::TileLight> tile_lights_; // of each worker
+    base::Vector<shade::TileLight> tile_lights_;      // of each worker
+    base::Vector<shade::TileOpenness> tile_openness_; // of each worker
     shade::LightRoom light_room_;
     base::Vector<post::EdgeCounts> edges_; // of each worker
 };

@@ -17,7 +17,14 @@ enum class PixelFormat : uint32_t {
     rgba16f = 3,
     rgba32f = 4,
 };
-enum class View : uint32_t { shaded = 0, normals = 1, depth = 2, steps = 3, light = 4 };
+enum class View : uint32_t {
+    shaded = 0,
+    normals = 1,
+    depth = 2,
+    steps = 3,
+    light = 4,
+    occlusion = 5,
+};
 enum class ToneMapping : uint32_t { filmic = 0, clamp = 1, none = 2 };
 enum class TextureFilter : uint32_t { finest = 0, mipmaps = 1 };
 
@@ -41,6 +48,16 @@ struct Approximations {
     float edge_budget = 0;
     uint32_t render_width = 0; // of the frame, if not smaller
     uint32_t render_height = 0;
+};
+
+// How much ambient light reaches a place. See rt_frame_desc.
+struct Occlusion {
+    float range = 0; // metres; 0: all of it
+    uint32_t samples = 16;
+    uint32_t block = 1;
+    float tolerance = 0;
+    float normal_tolerance = 0;
+    float plane_tolerance = 0;
 };
 
 struct Extent {
@@ -67,6 +84,7 @@ struct Frame {
     Plane mesh_ids;     // base::Handle
     Plane normals;      // float[3]
     Approximations approximations;
+    Occlusion occlusion;
 
     bool is_shaded() const { return pixels && view == View::shaded; }
     bool looks_for_edges() const { return is_shaded() && approximations.edge_samples > 1; }
@@ -94,6 +112,8 @@ struct FrameStats {
     uint64_t rays_shadow = 0;
     uint64_t rays_edge = 0;
     uint64_t light_points = 0;
+    uint64_t rays_occlusion = 0;
+    uint64_t occlusion_points = 0;
     double frame_ms = 0;
     base::Isa isa = base::Isa::scalar;
 };

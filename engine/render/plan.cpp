@@ -1,6 +1,7 @@
 #include "render/plan.h"
 
 #include "render/film.h"
+#include "render/occlusion.h"
 #include "render/planes.h"
 #include "render/post/encode.h"
 #include "render/post/tones.h"
@@ -51,13 +52,23 @@ std::span<const shade::PreparedLight> lights_from(const scene::LightSet& set,
     return room;
 }
 
+// Where no light comes from all around, nothing can be in its way.
+bool sees_occlusion(const scene::Snapshot& snapshot, const Frame& frame) {
+    if (!frame.pixels || frame.occlusion.range <= 0) return false;
+    return frame.view == View::occlusion
+           || (frame.view == View::shaded && snapshot.environment.ambient != math::Vec3(0));
+}
+
 shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
                           base::Vector<shade::PreparedLight>& room) {
     const math::Vec3d origin = shading_origin(snapshot, camera.position);
     std::span<const shade::PreparedLight> lights;
     if (frame.pixels) lights = lights_from(*snapshot.lights, origin, room);
-    return shade::Shader(snapshot, features_seen(snapshot, frame), frame.shadows, lights, origin,
+    shade::Shader shader(snapshot, features_seen(snapshot, frame), frame.shadows, lights, origin,
                          unseen_light(snapshot, frame));
+    if (sees_occlusion(snapshot, frame))
+        shader.occlude_ambient_light(frame.occlusion.range, frame.occlusion.samples);
+    return shader;
 }
 
 Stage stage_of(const Frame& frame) {
@@ -70,6 +81,8 @@ Stage stage_of(const Frame& frame) {
         return show_steps;
     case View::light:
         return show_light;
+    case View::occlusion:
+        return show_openness;
     default:
         return frame.finds_blocks() ? shade_blocks : shade_tile;
     }
@@ -84,11 +97,16 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
       eye(camera.position), filter(primary_filter(snapshot_)),
       shader(make_shader(snapshot_, camera, frame_, moved_lights)),
       block_light(shader, snapshot_.environment, frame_.approximations.light_tolerance,
-                  glm::length(pinhole.right), kUnseen / frame_.exposure) {
+                  glm::length(pinhole.right), kUnseen / frame_.exposure),
+      block_openness(shader,
+                     {frame_.occlusion.tolerance, frame_.occlusion.normal_tolerance,
+                      frame_.occlusion.plane_tolerance},
+                     glm::length(pinhole.right)) {
     if (frame.wants_planes()) add(fetch_planes);
     add(trace_primary_rays);
     if (frame.wants_planes()) add(write_planes);
     if (!frame.pixels) return;
+    if (shader.finds_openness()) add(find_openness);
     add(stage_of(frame));
     if (film) add(keep_on_film);
     if (frame.is_enlarged()) return;

@@ -3,6 +3,7 @@
 #include "render/camera.h"
 #include "render/frame.h"
 #include "shade/blocks/block_light.h"
+#include "shade/occlusion/block_openness.h"
 #include "shade/shader.h"
 #include "trace/filter.h"
 
@@ -29,7 +30,8 @@ struct Plan {
     math::Vec3d eye;      // where its rays begin
     trace::Filter filter; // of primary rays
     shade::Shader shader;
-    shade::BlockLight block_light; // of frames with light in blocks
+    shade::BlockLight block_light;       // of frames with light in blocks
+    shade::BlockOpenness block_openness; // if the shader finds it
 
     // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
     // `film` is for the frames that need one.

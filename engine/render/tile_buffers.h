@@ -3,6 +3,7 @@
 #include "base/slot_map.h"
 #include "render/tile.h"
 #include "shade/blocks/tile_light.h"
+#include "shade/occlusion/tile_openness.h"
 #include "shade/scratch.h"
 #include "shade/surface/ray_hits.h"
 
@@ -31,9 +32,10 @@ struct alignas(64) TileBuffers {
 
     TileColors colors; // radiance, then display values
     shade::Scratch scratch;
-    shade::TileLight* light = nullptr; // if Frame::keeps_light()
-    uint64_t light_point_count = 0;    // of a frame
-    uint64_t edge_ray_count = 0;       // of a frame
+    shade::TileLight* light = nullptr;       // if Frame::keeps_light()
+    shade::TileOpenness* openness = nullptr; // if the shader finds it
+    uint64_t light_point_count = 0;          // of a frame
+    uint64_t edge_ray_count = 0;             // of a frame
 
     // Calls function(hits, first) for batches of rays, `first` being a batch's first.
     template <class Function>
@@ -45,6 +47,17 @@ struct alignas(64) TileBuffers {
     template <class Function>
     void for_each_batch(Function&& function) {
         for_each_batch(tile.count, function);
+    }
+
+    shade::TileHits tile_hits() const {
+        return {{direction[0], direction[1], direction[2]},
+                t,
+                u,
+                v,
+                triangle,
+                back_face,
+                tile.count,
+                footprint};
     }
 
     struct Channels {

@@ -29,7 +29,8 @@ struct Reflection {
 
 } // namespace
 
-// What is diffuse comes on top of the ambient light; a highlight may be that of a black surface.
+// What is diffuse comes on top of the ambient light where that arrives; a highlight may be that of
+// a black surface.
 float unseen_light(const scene::Snapshot& snapshot, const Frame& frame) {
     const float steps = frame.approximations.least_light;
     if (steps <= 0 || snapshot.lights->lights.empty()) return 0;
@@ -38,7 +39,8 @@ float unseen_light(const scene::Snapshot& snapshot, const Frame& frame) {
                                                                   : post::DisplayCurve::clamp();
     const float exposure = frame.tone_mapping == ToneMapping::none ? 1.0f : frame.exposure;
     const math::Vec3& ambient = snapshot.environment.ambient;
-    const float dimmest = std::min({ambient.x, ambient.y, ambient.z}) * exposure * most.diffuse;
+    const float arriving = frame.occlusion.range > 0 ? 0.0f : exposure * most.diffuse;
+    const float dimmest = std::min({ambient.x, ambient.y, ambient.z}) * arriving;
     const double steps_a_lux =
         double(exposure)
         * (double(most.diffuse) / 3.14159265358979324 * curve.most_steps(dimmest)

@@ -53,9 +53,15 @@ constexpr ByProgram<AddLight> add_by_program(List<Program...>) {
     return {add_light<Program>...};
 }
 
-template <bool Emissive, class... Program>
+template <bool Open, bool Emissive, class... Program>
 constexpr ByProgram<FindRadiance> radiance_by_program(List<Program...>) {
-    return {find_radiance<Program, Emissive>...};
+    return {find_radiance<Program, Open, Emissive>...};
+}
+
+template <bool Open>
+constexpr std::array<ByProgram<FindRadiance>, 2> radiance_by_emission() {
+    return {radiance_by_program<Open, false>(Programs()),
+            radiance_by_program<Open, true>(Programs())};
 }
 
 constexpr Kernels kKernels = {
@@ -64,7 +70,7 @@ constexpr Kernels kKernels = {
     recall,
     weigh_by_kind(LightKinds()),
     add_by_program(Programs()),
-    {radiance_by_program<false>(Programs()), radiance_by_program<true>(Programs())},
+    {radiance_by_emission<false>(), radiance_by_emission<true>()},
     block_is_smooth,
     interpolate_block,
 };

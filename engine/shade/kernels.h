@@ -70,10 +70,11 @@ struct Kernels {
     std::array<WeighLights, 3> weigh_light; // by type of light
 
     ByProgram<AddLight> add_light;
-    std::array<ByProgram<FindRadiance>, 2> find_radiance; // whether emissive
+    // Whether light has an openness, and surfaces are emissive.
+    std::array<std::array<ByProgram<FindRadiance>, 2>, 2> find_radiance;
 
-    // Of light in blocks (blocks/blocks-inl.h).
-    bool (*block_is_smooth)(const float* t, uint32_t side, float pixel);
+    // Of blocks of a tile (blocks/blocks-inl.h).
+    bool (*block_is_smooth)(const float* t, uint32_t side, float pixel, float part);
     void (*interpolate_block)(float* values, uint32_t side);
 };
 

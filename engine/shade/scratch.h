@@ -3,6 +3,7 @@
 #include "shade/light/illumination.h"
 #include "shade/light/light_lists.h"
 #include "shade/light/shadow_memory.h"
+#include "shade/occlusion/openness.h"
 #include "shade/surface/surface.h"
 
 namespace peregrine::shade {
@@ -14,6 +15,7 @@ struct alignas(64) Scratch {
     LightWeights weights;
     ShadowMemory shadow;
     LightLists lists;
+    OpennessMemory* openness = nullptr; // if the shader finds it
 };
 
 } // namespace peregrine::shade

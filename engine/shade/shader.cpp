@@ -1,5 +1,7 @@
 #include "shade/shader.h"
 
+#include <algorithm>
+
 namespace peregrine::shade {
 Shader::Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
                std::span<const PreparedLight> lights, const math::Vec3d& origin, float unseen)
@@ -20,11 +22,18 @@ void Shader::find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scrat
 void Shader::find_radiance(const RayHits& hits, float* const radiance[3],
                            const Scratch& scratch) const {
     const bool emissive = features_ & scene::kEmissive;
-    kernels_->find_radiance[emissive][uint32_t(program_)](scratch.surface, scratch.light, hits,
-                                                          snapshot_->environment, radiance);
+    kernels_->find_radiance[finds_openness()][emissive][uint32_t(program_)](
+        scratch.surface, scratch.light, hits, snapshot_->environment, radiance);
 }
 
-void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const {
+void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scratch,
+                   const float* openness) const {
+    if (openness) {
+        std::copy_n(openness, hits.count, scratch.light.openness);
+    } else if (finds_openness()) {
+        find_surfaces(hits, SurfacePart::smooth, scratch);
+        find_openness(hits, scratch, scratch.light.openness);
+    }
     find_surfaces(hits, SurfacePart::all, scratch);
     gather_light(hits, scratch, nullptr);
     find_radiance(hits, radiance, scratch);

@@ -3,9 +3,11 @@
 #include "scene/snapshot.h"
 #include "shade/kernels.h"
 #include "shade/light/lighting.h"
+#include "shade/occlusion/openness.h"
 #include "shade/scratch.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace peregrine::shade {
@@ -18,6 +20,13 @@ public:
     Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
            std::span<const PreparedLight> lights, const math::Vec3d& origin, float unseen);
 
+    // From here on, ambient light is that which arrives: see Openness. Threads then need
+    // scratch.openness.
+    void occlude_ambient_light(float range, uint32_t samples) {
+        openness_.emplace(*snapshot_, space_, range, samples);
+    }
+    bool finds_openness() const { return openness_.has_value(); }
+
     // Fills scratch.surface.
     void find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const;
 
@@ -26,11 +35,17 @@ public:
         lighting_.gather(hits, scratch, marks);
     }
 
+    // Of scratch.surface, which is SurfacePart::smooth.
+    void find_openness(const RayHits& hits, Scratch& scratch, float* openness) const {
+        openness_->find(hits, scratch.surface, scratch.shadow, *scratch.openness, openness);
+    }
+
     // From scratch.surface and scratch.light.
     void find_radiance(const RayHits& hits, float* const radiance[3], const Scratch& scratch) const;
 
-    // All of it: radiance of at most kBatch rays.
-    void shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const;
+    // All of it: radiance of at most kBatch rays. `openness`: of these rays, if it is known.
+    void shade(const RayHits& hits, float* const radiance[3], Scratch& scratch,
+               const float* openness = nullptr) const;
 
     const LightChoice& light_choice() const { return lighting_.choice(); }
     const Kernels& kernels() const { return *kernels_; }
@@ -43,6 +58,7 @@ private:
     uint32_t features_;
     Program program_;
     Lighting lighting_;
+    std::optional<Openness> openness_;
 };
 
 } // namespace peregrine::shade

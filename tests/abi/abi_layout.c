@@ -415,6 +415,12 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, edge_budget);
     FIELD(rt_frame_desc, render_width);
     FIELD(rt_frame_desc, render_height);
+    FIELD(rt_frame_desc, occlusion_range);
+    FIELD(rt_frame_desc, occlusion_samples);
+    FIELD(rt_frame_desc, occlusion_block);
+    FIELD(rt_frame_desc, occlusion_tolerance);
+    FIELD(rt_frame_desc, occlusion_normal_tolerance);
+    FIELD(rt_frame_desc, occlusion_plane_tolerance);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);
@@ -425,6 +431,8 @@ static void print_frame(void) {
     FIELD(rt_frame_stats, reserved);
     FIELD(rt_frame_stats, rays_edge);
     FIELD(rt_frame_stats, light_points);
+    FIELD(rt_frame_stats, rays_occlusion);
+    FIELD(rt_frame_stats, occlusion_points);
     STRUCT(rt_governor);
     FIELD(rt_governor, struct_size);
     FIELD(rt_governor, target_ms);

@@ -86,7 +86,7 @@ TEST_F(BadFrame, Fields) {
     refuse_frame([](D& d) { d.format = RT_FORMAT_RGBA8_LINEAR; }, kArgument, "format");
     refuse_frame([](D& d) { d.format = 5; }, kArgument, "rt_frame_desc.format is 5");
     refuse_frame([](D& d) { d.format = -1; }, kArgument, "rt_frame_desc.format is -1");
-    refuse_frame([](D& d) { d.view = 5; }, kArgument, "rt_frame_desc.view is 5");
+    refuse_frame([](D& d) { d.view = 6; }, kArgument, "rt_frame_desc.view is 6");
     refuse_frame([](D& d) { d.view = -1; }, kArgument, "rt_frame_desc.view is -1");
     refuse_frame([](D& d) { d.tone_mapping = 3; }, kArgument, "tone_mapping is 3");
     refuse_frame([](D& d) { d.tone_mapping = RT_TONE_NONE; }, kArgument, "RT_TONE_NONE");
@@ -112,6 +112,24 @@ TEST_F(BadFrame, Approximations) {
         refuse_frame([&](D& d) { d.light_tolerance = value; }, kArgument, "light_tolerance");
         refuse_frame([&](D& d) { d.least_light = value; }, kArgument, "least_light");
         refuse_frame([&](D& d) { d.edge_budget = value; }, kArgument, "edge_budget");
+    }
+}
+
+TEST_F(BadFrame, Occlusion) {
+    constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
+    using D = rt_frame_desc;
+    for (const uint32_t block : {2u, 3u, 5u, 12u, 17u, 32u, ~0u})
+        refuse_frame([&](D& d) { d.occlusion_block = block; }, kArgument, "occlusion_block is");
+    refuse_frame([](D& d) { d.occlusion_samples = 257; }, RT_ERROR_LIMIT, "occlusion_samples is");
+    for (const float value : {-1.0f, kNan})
+        refuse_frame([&](D& d) { d.occlusion_range = value; }, kArgument, "occlusion_range is");
+    for (const float value : {-1.0f, kNan, kInfinity}) {
+        refuse_frame([&](D& d) { d.occlusion_tolerance = value; }, kArgument,
+                     "occlusion_tolerance is");
+        refuse_frame([&](D& d) { d.occlusion_normal_tolerance = value; }, kArgument,
+                     "occlusion_normal_tolerance is");
+        refuse_frame([&](D& d) { d.occlusion_plane_tolerance = value; }, kArgument,
+                     "occlusion_plane_tolerance is");
     }
 }
 
@@ -149,7 +167,7 @@ TEST_F(BadFrame, StridesAndOddAddressesAreFine) {
                    {RT_FORMAT_RGBA16F, 8},
                    {RT_FORMAT_RGBA32F, 16}};
     for (const auto& [format, bytes] : formats)
-        for (rt_view view = RT_VIEW_SHADED; view <= RT_VIEW_LIGHT; ++view) {
+        for (rt_view view = RT_VIEW_SHADED; view <= RT_VIEW_OCCLUSION; ++view) {
             const uint32_t row = kWidth * bytes, stride = row + 3;
             Bytes tight(row * kHeight), loose(1 + stride * (kHeight - 1) + row, 0x5a);
             frame_.format = format;

@@ -6,6 +6,7 @@
 #include <peregrine/rt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -313,12 +314,15 @@ private:
         frame.format = rt_pixel_format(random_.below(5));
         frame.width = 1 + random_.below(40);
         frame.height = 1 + random_.below(40);
-        frame.view = rt_view(random_.below(4));
+        frame.view = rt_view(random_.below(6));
         frame.tone_mapping = rt_tone_mapping(random_.below(3));
         frame.exposure = 4 * random_.unit();
         frame.light_block = random_.below(3) * 4;
         frame.texture_filter = rt_texture_filter(random_.below(2));
         frame.edge_samples = random_.below(6);
+        if (random_.one_in(2)) frame.occlusion_range = std::fabs(random_.number());
+        frame.occlusion_samples = random_.below(24);
+        frame.occlusion_block = random_.below(3) * 4;
         frame.render_width = random_.below(frame.width + 1);
         const uint64_t row = frame.width * kBytes[frame.format];
         frame.row_stride = random_.one_in(2) ? 0 : row + random_.below(20);

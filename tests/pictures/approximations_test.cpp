@@ -81,6 +81,24 @@ TEST_P(Approximations, BlocksOfOnePixelAreExact) {
     EXPECT_EQ(draw(camera, 0), draw(camera, 1));
 }
 
+TEST_P(Approximations, OcclusionInBlocksIsNearThatOfEachPixel) {
+    for (const rt_camera& camera : cameras()) {
+        rt_frame_desc options = rt_default_frame_desc();
+        options.occlusion_range = 2;
+        options.occlusion_block = 1;
+        const Pixels exact = draw(camera, options);
+        EXPECT_LE(stats_.rays_occlusion, uint64_t(kWidth) * kHeight * options.occlusion_samples);
+        const uint64_t exact_rays = stats_.rays_occlusion;
+        for (const uint32_t block : {4u, 8u, 16u}) {
+            options.occlusion_block = block;
+            const FlipMap error = compare(exact, draw(camera, options));
+            EXPECT_LE(error.mean(), kMostMean / 2);
+            EXPECT_LE(error.worst_tile(32), kMostTile / 2);
+            EXPECT_LT(stats_.rays_occlusion, exact_rays);
+        }
+    }
+}
+
 // A picture that flickers changes more from frame to frame than the exact one does.
 TEST_P(Approximations, ASlowPanDoesNotFlicker) {
     constexpr int kFrames = 12;

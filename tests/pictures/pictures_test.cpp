@@ -224,6 +224,28 @@ TEST_P(Pictures, SoftShadows) {
     expect("soft_blocks", scene.camera_from_the_side(), frame);
 }
 
+TEST_P(Pictures, Occlusion) {
+    if (GetParam().proofs) GTEST_SKIP() << "nothing is proved of it";
+    FeatureScene scene(*stage_, {});
+    commit();
+    rt_frame_desc frame = frame_of(161, 91);
+    frame.occlusion_range = 1.5f;
+    frame.occlusion_block = 1;
+    expect("occlusion", scene.camera(), frame);
+    frame.occlusion_block = 8;
+    expect("occlusion_side", scene.camera_from_the_side(), frame);
+    frame.view = RT_VIEW_OCCLUSION;
+    frame.occlusion_block = 16;
+    expect("occlusion_view", scene.camera_from_the_side(), frame);
+    scene.move();
+    commit();
+    frame = direct_frame_of(160, 90);
+    frame.occlusion_range = 1.5f;
+    frame.edge_samples = 4;
+    frame.render_width = 120;
+    expect("occlusion_moved", scene.camera(), frame);
+}
+
 TEST_P(Pictures, Moved) {
     FeatureScene scene(*stage_, {});
     commit();

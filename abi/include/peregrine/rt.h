@@ -1144,9 +1144,11 @@ enum {
     RT_VIEW_DEPTH = 2,   /* near is bright; `depth_range` is black */
     RT_VIEW_STEPS =
         3, /* tree nodes visited by the primary ray as a heat map; `steps_range` is white */
-    RT_VIEW_LIGHT = 4 /* how light was found: red: by shadow rays, the brighter the more, up to 8;
+    RT_VIEW_LIGHT = 4, /* how light was found: red: by shadow rays, the brighter the more, up to 8;
                          green: from what was proved, or what neighbours know; blue: interpolated;
                          black: nothing is seen */
+    RT_VIEW_OCCLUSION = 5 /* how much ambient light reaches a place: white: all; in blocks, red
+                             where that was found by rays */
 };
 
 typedef int32_t rt_tone_mapping;
@@ -1209,6 +1211,18 @@ typedef struct rt_frame_desc {
     uint32_t render_height; /* enlarged along edges; 0: width, height. Planes and views other than
                                the shaded one are not: with planes, primary rays are traced for
                                both sizes */
+    /* Ambient occlusion: surfaces get less of rt_environment.ambient, the more rays of a place meet
+     * a surface of any mesh. It is of the geometry: normal maps take no part. */
+    float occlusion_range; /* metres; what is nearer hides the more, the nearer it is. >= 0, may be
+                              +infinity; 0: ambient light is everywhere */
+    uint32_t occlusion_samples; /* rays a place, at most 256, the same for all; 0: 16 */
+    uint32_t occlusion_block;  /* pixels. 0, 1: it is found at each; 4, 8, 16: in blocks of so many,
+                                  whose corners and middle are asked. Where these lie on a plane,
+                                  have alike normals and get alike light, the rest is interpolated;
+                                  else blocks are cut, down to pixels */
+    float occlusion_tolerance; /* how much of the ambient light may differ within a block; >= 0 */
+    float occlusion_normal_tolerance; /* how far the tips of unit normals may be apart; >= 0 */
+    float occlusion_plane_tolerance;  /* how far from a plane a block may be, in its widths; >= 0 */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1219,6 +1233,11 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.depth_range = 50.0f;
     desc.steps_range = 100.0f;
     desc.texture_filter = RT_TEXTURE_MIPMAPS;
+    desc.occlusion_samples = 16;
+    desc.occlusion_block = 8;
+    desc.occlusion_tolerance = 0.13f;
+    desc.occlusion_normal_tolerance = 0.3f;
+    desc.occlusion_plane_tolerance = 0.1f;
     return desc;
 }
 
@@ -1230,8 +1249,10 @@ typedef struct rt_frame_stats {
     double frame_ms; /* wall time of the call */
     rt_isa isa;      /* of the kernels */
     uint32_t reserved;
-    uint64_t rays_edge;    /* beside one a pixel, for edges; not in rays_primary */
-    uint64_t light_points; /* of pixels and edge rays: where light was found, not interpolated */
+    uint64_t rays_edge;      /* beside one a pixel, for edges; not in rays_primary */
+    uint64_t light_points;   /* of pixels and edge rays: where light was found, not interpolated */
+    uint64_t rays_occlusion; /* for ambient occlusion; not in rays_shadow */
+    uint64_t occlusion_points; /* of pixels: where it was found, not interpolated */
 } rt_frame_stats;
 
 static inline rt_frame_stats rt_default_frame_stats(void) {

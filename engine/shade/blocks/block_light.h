@@ -27,13 +27,12 @@ private:
     bool is_between(const Block& block, const TileLight& light) const;
     bool join_marks(const Block& block, const TileLight& light, LightMarks& all) const;
     void interpolate(const Block& block, TileLight& out) const;
-    void cut(const Block& block, TileLight& out) const;
     void try_groups(const TileHits& hits, TileLight& out, Scratch& scratch) const;
     void want_groups(const Block& block, const PixelGroups& groups, TileLight& out) const;
     void want_all(const Block& block, TileLight& out) const;
     void find_wanted(const TileHits& hits, SurfacePart part, TileLight& out,
                      Scratch& scratch) const;
-    RayHits list_batch(const TileHits& hits, uint32_t count, TileLight& out) const;
+    void tell_known(uint32_t count, TileLight& out) const;
     void note_samples(uint32_t count, TileLight& out, const Surface& surface) const;
     void find_batch(const TileHits& hits, SurfacePart part, uint32_t count, TileLight& out,
                     Scratch& scratch) const;

@@ -36,14 +36,14 @@ constexpr BlockPlaces make_block_places() {
 
 inline constexpr BlockPlaces kBlockPlaces = make_block_places();
 
-// Whether what is seen in a block lies within a third of its side of a plane. On a plane 1 / t
+// Whether what is seen in a block lies within a part of its side of a plane. On a plane 1 / t
 // changes at a constant rate from pixel to pixel, t being measured along the camera's forward.
-HWY_ATTR bool block_is_smooth(const float* t, uint32_t side, float pixel) {
+HWY_ATTR bool block_is_smooth(const float* t, uint32_t side, float pixel, float part) {
     const uint32_t size = side * side, across = size / 3;
     const float origin = 1.0f / t[0], step = 1.0f / float(side - 1);
     const Vf by_x = splat((1.0f / t[across] - origin) * step);
     const Vf by_y = splat((1.0f / t[2 * across] - origin) * step);
-    const Vf allowed = splat(float(side) * pixel * (1.0f / 3.0f) * origin);
+    const Vf allowed = splat(float(side) * pixel * part * origin);
     for (uint32_t i = 0; i < size; i += kLanes) {
         const Vf x = hn::LoadU(kF, kBlockPlaces.x + i), y = hn::LoadU(kF, kBlockPlaces.y + i);
         const Vf plane = hn::Add(splat(origin), hn::Add(hn::Mul(by_x, x), hn::Mul(by_y, y)));

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "shade/blocks/block.h"
+#include "shade/blocks/block_lists.h"
 #include "shade/blocks/pixel_groups.h"
+#include "shade/blocks/tile_hits.h"
 #include "shade/light/marks.h"
 #include "shade/material/program.h"
 #include "shade/surface/surface.h"
@@ -9,20 +10,6 @@
 #include <cstdint>
 
 namespace peregrine::shade {
-
-inline constexpr uint32_t kMostTileRays = 1024;
-
-// What the rays of a tile hit: arrays readable up to the next multiple of 16.
-struct TileHits {
-    const float* direction[3];
-    const float* t; // along the camera's forward
-    const float* u;
-    const float* v;
-    const uint32_t* triangle;
-    const uint32_t* back_face;
-    uint32_t count;
-    float footprint; // see RayHits
-};
 
 // One thread's working memory for the light of a tile, and the result, ray by ray.
 struct alignas(64) TileLight {
@@ -48,15 +35,7 @@ struct alignas(64) TileLight {
     uint8_t wanted[kMostTileRays]; // bits of Want
     uint16_t known_of[kMostTileRays];
 
-    // By log2(side) - 2.
-    struct List {
-        Block blocks[kMostTileRays / 16];
-        uint32_t count;
-
-        void add(const Block& block) { blocks[count++] = block; }
-    };
-    List pending[3];
-    List uneven; // of the least side: pixels at several depths, or whose normals differ
+    BlockLists blocks; // uneven: pixels at several depths, or whose normals differ
 
     // A tile has 4 + 16 + 64 blocks, and those of the least side have groups.
     static constexpr uint32_t kMostKnown = 84 + 64 * PixelGroups::kMost;
@@ -64,19 +43,12 @@ struct alignas(64) TileLight {
     uint32_t known_count;
 
     // A batch of points.
-    uint32_t ray[kPadded];
-    Surface::Lanes direction[3];
-    Surface::Lanes u;
-    Surface::Lanes v;
-    Surface::Lanes t;
-    uint32_t triangle[kPadded];
-    uint32_t back_face[kPadded];
+    PickedHits picked;
     BatchMarks batch;
     LightSlots slots; // of the tile
 
     uint32_t point_count; // where light was found
 
-    static uint32_t level_of(uint32_t side) { return side == 4 ? 0 : side == 8 ? 1 : 2; }
     void begin(uint32_t ray_count); // a tile
     uint16_t know(const LightMarks& found_marks) {
         known[known_count] = found_marks;

@@ -11,6 +11,7 @@ namespace peregrine::shade {
 struct alignas(64) Illumination {
     Surface::Lanes irradiance[3];
     Surface::Lanes highlight[3]; // irradiance times the lobe; with Program::highlight
+    Surface::Lanes openness;     // how much of the ambient light arrives; if frames ask for it
 
     void clear(Program program) {
         const uint32_t lanes = program == Program::matt ? 3 : 6;

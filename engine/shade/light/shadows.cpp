@@ -66,8 +66,11 @@ trace::RayStream Shadows::in_world(trace::RayStream rays, ShadowMemory& memory) 
 }
 
 void Shadows::trace(const PreparedLight& light, uint32_t ray_count, ShadowMemory& memory) const {
-    const trace::RayStream rays = list(light, ray_count, memory);
     memory.ray_count += ray_count;
+    trace_any(list(light, ray_count, memory), memory);
+}
+
+void Shadows::trace_any(const trace::RayStream& rays, ShadowMemory& memory) const {
     trace::occluded(snapshot_->world, in_world(rays, memory), positions_of(rays), filter_,
                     memory.occluded);
 }

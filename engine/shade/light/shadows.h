@@ -30,6 +30,9 @@ public:
     // Fills memory.occluded for those rays, of which none is remembered.
     void trace(const PreparedLight& light, uint32_t ray_count, ShadowMemory& memory) const;
 
+    // ... for any rays, whose origins are relative to `space.origin`.
+    void trace_any(const trace::RayStream& rays, ShadowMemory& memory) const;
+
 private:
     trace::RayStream list(const PreparedLight& light, uint32_t ray_count,
                           ShadowMemory& memory) const;
