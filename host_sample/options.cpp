@@ -20,11 +20,9 @@ namespace host {
 
 namespace {
 
-const std::map<std::string, rt_view> views = {{"shaded", RT_VIEW_SHADED},
-                                              {"normals", RT_VIEW_NORMALS},
-                                              {"depth", RT_VIEW_DEPTH},
-                                              {"steps", RT_VIEW_STEPS},
-                                              {"light", RT_VIEW_LIGHT}};
+const std::map<std::string, rt_view> views = {
+    {"shaded", RT_VIEW_SHADED}, {"normals", RT_VIEW_NORMALS}, {"depth", RT_VIEW_DEPTH},
+    {"steps", RT_VIEW_STEPS},   {"light", RT_VIEW_LIGHT},     {"occlusion", RT_VIEW_OCCLUSION}};
 const std::map<std::string, rt_isa> isas = {{"auto", RT_ISA_BEST},
                                             {"scalar", RT_ISA_SCALAR},
                                             {"sse4", RT_ISA_SSE4},
@@ -146,7 +144,8 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
                  "no window: write --out, or else a fly-through of all cameras to out/");
     app.add_option("--threads", options.threads, "threads, 1 to 256 [all cores]")
         ->check(CLI::Range(1u, 256u));
-    app.add_option("--view", texts.view, "shaded, normals, depth, steps or light [shaded]");
+    app.add_option("--view", texts.view,
+                   "shaded, normals, depth, steps, light or occlusion [shaded]");
     app.add_option("--stats", options.stats, "JSON file to write measurements to [none]");
     app.add_option("--isa", texts.isa,
                    "auto, scalar, sse4, avx2 or avx512 [$PEREGRINE_ISA, else auto]");
@@ -163,6 +162,13 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
            "with --view-only or --headless: find light in blocks of 4, 8 or 16 pixels [0: at "
            "every pixel]")
         ->check(CLI::IsMember({0, 1, 4, 8, 16}));
+    app.add_option("--occlusion", options.occlusion_range,
+                   "with --view-only or --headless: surfaces nearer than so many metres keep "
+                   "ambient light from each other [0]")
+        ->check(CLI::Range(0.0f, 1e3f));
+    app.add_option("--occlusion-block", options.occlusion_block,
+                   "find that in blocks of 4, 8 or 16 pixels, or at every pixel: 1 [8]")
+        ->check(CLI::IsMember({1, 4, 8, 16}));
     app.add_option("--lamp-radius", options.lamp_radius,
                    "with --view-only: lights are spheres of so many metres, and shadows soft [0]")
         ->check(CLI::Range(0.0f, 1e3f));

@@ -31,7 +31,9 @@ struct Options {
     std::optional<float> ambient;
     std::optional<float> scale; // none: 1, or in the game as the player has set it
     bool no_shadows = false;
-    uint32_t light_block = 0; // rt_frame_desc::light_block
+    uint32_t light_block = 0;     // rt_frame_desc::light_block
+    float occlusion_range = 0.0f; // rt_frame_desc::occlusion_range, ...
+    uint32_t occlusion_block = 8;
     bool light_proofs = false;
     float lamp_radius = 0.0f; // rt_light_desc::source_radius of all lights
     bool list_cameras = false;

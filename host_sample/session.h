@@ -36,6 +36,8 @@ struct Session {
         frame.view = options.view;
         frame.no_shadows = options.no_shadows;
         frame.light_block = options.light_block;
+        frame.occlusion_range = options.occlusion_range;
+        frame.occlusion_block = options.occlusion_block;
         const double diagonal = level.bounds.diagonal();
         if (diagonal > 0.0) frame.depth_range = static_cast<float>(diagonal);
         return frame;

@@ -62,6 +62,8 @@ rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, voi
     desc.no_shadows = frame.no_shadows ? 1 : 0;
     desc.light_block = frame.light_block;
     desc.light_tolerance = light_tolerance;
+    desc.occlusion_range = frame.occlusion_range;
+    desc.occlusion_block = frame.occlusion_block;
     desc.snapshot = frame.snapshot;
     desc.render_width = frame.traced_width;
     desc.render_height = frame.traced_height;

@@ -16,8 +16,10 @@ struct Frame {
     float exposure = 1.0f;
     float depth_range = 50.0f;
     bool no_shadows = false;
-    uint32_t light_block = 0; // rt_frame_desc::light_block
-    rt_snapshot snapshot{};   // null: the current one
+    uint32_t light_block = 0;  // rt_frame_desc::light_block
+    float occlusion_range = 0; // rt_frame_desc::occlusion_range, ...
+    uint32_t occlusion_block = 8;
+    rt_snapshot snapshot{}; // null: the current one
     // The picture is traced so large and then enlarged; 0: as large as it is. Or the governor
     // chooses, by the last frame that it chose, if it has not seen that yet.
     uint32_t traced_width = 0, traced_height = 0;

@@ -71,7 +71,7 @@ private:
         const Keys& pressed = desk.pressed;
         if (pressed.has(Key::mouse)) window_.capture_mouse(true);
         if (pressed.has(Key::f)) walker_.toggle_walking();
-        if (pressed.has(Key::v)) view_ = (view_ + 1) % (RT_VIEW_LIGHT + 1);
+        if (pressed.has(Key::v)) view_ = (view_ + 1) % (RT_VIEW_OCCLUSION + 1);
         if (pressed.has(Key::c)) {
             session_.camera = (session_.camera + 1) % session_.cameras.size();
             walker_.place(session_.viewpoint());

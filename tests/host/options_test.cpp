@@ -51,12 +51,17 @@ TEST_F(OptionsTest, ReadsValues) {
     EXPECT_EQ(parsed.options->time, 1.5);
     EXPECT_EQ(parsed.options->time_step, 0.0);
     EXPECT_EQ(parse({"--light-block", "8"}).options->light_block, 8u);
+    const auto occlusion = parse({"--occlusion", "1.5", "--occlusion-block", "1"});
+    EXPECT_EQ(occlusion.options->occlusion_range, 1.5f);
+    EXPECT_EQ(occlusion.options->occlusion_block, 1u);
 }
 
 TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
     for (const auto& arguments : std::initializer_list<std::initializer_list<const char*>>{
              {"--size", "64"},
              {"--light-block", "7"},
+             {"--occlusion", "-1"},
+             {"--occlusion-block", "2"},
              {"--size", "0x64"},
              {"--size", "-1x64"},
              {"--size", "64x99999"},
