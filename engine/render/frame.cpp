@@ -1,5 +1,6 @@
 #include "render/frame.h"
 
+#include "render/bounces.h"
 #include "render/film.h"
 #include "render/plan.h"
 #include "render/post/edge_rays.h"
@@ -29,12 +30,14 @@ public:
           plan_(snapshot, camera, frame, moved_lights_, film_ ? &*film_ : nullptr),
           workers_(std::min(scheduler.concurrency(), tiles_of(plan_.extent)), memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
+          path_room_(plan_, workers_.size(), memory),
           edges_(frame.looks_for_edges() ? workers_.size() : 0, memory) {}
 
     void run() {
         for_each_worker([&](uint32_t i) {
             workers_[i].scratch.shadow.initialize();
             workers_[i].scratch.lists = light_room_.lists(i);
+            workers_[i].paths = path_room_.memory(plan_, i);
             begin_primary_rays(plan_, workers_[i]);
         });
         for_each_tile([&](TileBuffers& buffers, uint32_t) {
@@ -51,6 +54,7 @@ public:
             stats.light_points += buffers.light.point_count;
             stats.rays_edge += buffers.edge_ray_count;
         }
+        stats.rays_bounced += path_room_.ray_count();
     }
 
 private:
@@ -109,6 +113,7 @@ private:
     const Plan plan_;
     base::Vector<TileBuffers> workers_;
     shade::LightRoom light_room_;
+    PathRoom path_room_;
     base::Vector<post::EdgeCounts> edges_; // of each worker
 };
 

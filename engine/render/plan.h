@@ -3,6 +3,7 @@
 #include "render/camera.h"
 #include "render/frame.h"
 #include "shade/blocks/block_light.h"
+#include "shade/path/paths.h"
 #include "shade/shader.h"
 #include "trace/filter.h"
 
@@ -30,6 +31,7 @@ struct Plan {
     trace::Filter filter; // of primary rays
     shade::Shader shader;
     shade::BlockLight block_light; // of frames with light in blocks
+    shade::Paths paths;            // of scenes with mirrors or glass
 
     // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
     // `film` is for the frames that need one.

@@ -20,8 +20,15 @@ enum Feature : uint32_t {
     kShadows = 1u << 6,
     kDynamicMeshes = 1u << 7,
     kSingleSidedMaterials = 1u << 8,
-    kAllFeatures = (1u << 9) - 1,
+    kReflection = 1u << 9,
+    kTransmission = 1u << 10,
+    kAllFeatures = (1u << 11) - 1,
 };
+
+// Of materials at which paths go on.
+inline constexpr uint32_t kPathFeatures = kReflection | kTransmission;
+// ... that light may pass.
+inline constexpr uint32_t kLightPassingFeatures = kTransmission;
 
 uint32_t features_of(const Material& material);
 uint32_t features_of(const Light& light);

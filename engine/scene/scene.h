@@ -150,7 +150,7 @@ public:
     }
     // ... when a material or a texture changed in any way.
     void touch_materials() { ++materials_version_; }
-    // ... when a material became masked or double-sided or ceased to be: triangles say so too.
+    // ... when flags_of() a material changed: triangles carry them.
     void touch_flags();
 
     CommitReport commit(const CommitOptions& options);

@@ -34,6 +34,8 @@ public:
 
     const LightChoice& light_choice() const { return lighting_.choice(); }
     const Kernels& kernels() const { return *kernels_; }
+    const SurfaceSpace& space() const { return space_; }
+    uint32_t features() const { return features_; }
     Program program() const { return program_; }
 
 private:

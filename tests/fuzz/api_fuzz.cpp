@@ -177,6 +177,14 @@ private:
         for (float& c : desc.emissive) c = random_.one_in(3) ? random_.unit() : 0;
         for (float& c : desc.specular) c = random_.one_in(3) ? random_.unit() : 0;
         desc.shininess = 1 + 50 * random_.unit();
+        if (random_.one_in(3)) desc.reflectivity = random_.unit();
+        if (random_.one_in(3)) {
+            desc.transmission = random_.unit();
+            desc.index_of_refraction = 1 + random_.unit();
+            desc.attenuation_distance = random_.unit();
+            for (float& c : desc.attenuation_color) c = random_.unit();
+            desc.thin = random_.below(2);
+        }
         for (rt_texture_use* use :
              {&desc.base_color_texture, &desc.normal_texture, &desc.emissive_texture}) {
             if (random_.one_in(2)) continue;
@@ -317,6 +325,7 @@ private:
         frame.light_block = random_.below(3) * 4;
         frame.texture_filter = rt_texture_filter(random_.below(2));
         frame.edge_samples = random_.below(6);
+        frame.max_depth = random_.below(6);
         frame.render_width = random_.below(frame.width + 1);
         const uint64_t row = frame.width * kBytes[frame.format];
         frame.row_stride = random_.one_in(2) ? 0 : row + random_.below(20);

@@ -261,6 +261,19 @@ typedef struct rt_material_desc {
     rt_texture_use normal_texture; /* tangent space, +Y up, stored as 0.5 n + 0.5 */
     rt_texture_use emissive_texture;
     uint64_t user_data; /* handed back by rt_resolve_hits */
+    /* What follows shows in frames with a max_depth. docs/rendering.md has the formulas. */
+    float reflectivity; /* 0 to 1: the part of the light that a mirror gives back head on, and all
+                           of it at a glance (Schlick); 0: no mirror, at no angle */
+    float reflection_color[3]; /* 0 to 1: times reflectivity */
+    float
+        transmission; /* 0 to 1: the part of what is not mirrored that goes through, tinted by the
+                         base colour; the rest is matt. Such a surface mirrors by its index, too */
+    float index_of_refraction;  /* 1 to 10; 0: 1.5 */
+    float attenuation_color[3]; /* 0 to 1: what is left of white light after ... */
+    float attenuation_distance; /* ... so many metres within; >= 0; 0: all of it */
+    uint32_t thin; /* 0: what transmits is the hull of a solid, which bends light, and both sides of
+                      the hull are seen. 1: a sheet, a window pane: light goes straight on */
+    uint32_t reserved; /* 0 */
 } rt_material_desc;
 
 static inline rt_texture_use rt_default_texture_use(void) {
@@ -281,6 +294,9 @@ static inline rt_material_desc rt_default_material_desc(void) {
     desc.base_color_texture = rt_default_texture_use();
     desc.normal_texture = rt_default_texture_use();
     desc.emissive_texture = rt_default_texture_use();
+    desc.reflection_color[0] = desc.reflection_color[1] = desc.reflection_color[2] = 1.0f;
+    desc.index_of_refraction = 1.5f;
+    desc.attenuation_color[0] = desc.attenuation_color[1] = desc.attenuation_color[2] = 1.0f;
     return desc;
 }
 
@@ -581,7 +597,9 @@ enum {
     RT_FEATURE_LIGHTS = 1u << 5,
     RT_FEATURE_SHADOWS = 1u << 6,
     RT_FEATURE_DYNAMIC_MESHES = 1u << 7,
-    RT_FEATURE_SINGLE_SIDED = 1u << 8
+    RT_FEATURE_SINGLE_SIDED = 1u << 8,
+    RT_FEATURE_REFLECTION = 1u << 9,
+    RT_FEATURE_TRANSMISSION = 1u << 10
 };
 
 typedef struct rt_commit_report {
@@ -1203,6 +1221,11 @@ typedef struct rt_frame_desc {
     uint32_t render_height; /* enlarged along edges; 0: width, height. Planes and views other than
                                the shaded one are not: with planes, primary rays are traced for
                                both sizes */
+    /* Mirrors and glass: how far a path is followed. What is not traced brings ambient light. */
+    uint32_t max_depth;     /* bounces, at most 16; 0: mirrors and glass are as matt as the rest.
+                               rt_default_frame_desc() has 4 */
+    float least_importance; /* paths end whose light, times exposure, counts for less than this
+                               part; 0 to 1. rt_default_frame_desc() has 1 / 256 */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1213,6 +1236,8 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.depth_range = 50.0f;
     desc.steps_range = 100.0f;
     desc.texture_filter = RT_TEXTURE_MIPMAPS;
+    desc.max_depth = 4;
+    desc.least_importance = 1.0f / 256.0f;
     return desc;
 }
 
@@ -1226,6 +1251,7 @@ typedef struct rt_frame_stats {
     uint32_t reserved;
     uint64_t rays_edge;    /* beside one a pixel, for edges; not in rays_primary */
     uint64_t light_points; /* of pixels and edge rays: where light was found, not interpolated */
+    uint64_t rays_bounced; /* that mirrors and glass sent on */
 } rt_frame_stats;
 
 static inline rt_frame_stats rt_default_frame_stats(void) {
