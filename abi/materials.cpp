@@ -44,7 +44,7 @@ base::Handle to_texture(scene::Scene& scene, const rt_texture_use& use, const ch
 }
 
 void check_numbers(const rt_material_desc& desc) {
-    require_enum(desc.alpha_mode, RT_ALPHA_MASK, "rt_material_desc.alpha_mode");
+    require_enum(desc.alpha_mode, RT_ALPHA_BLEND, "rt_material_desc.alpha_mode");
     require_colour(desc.base_color, "rt_material_desc.base_color");
     require_colour(desc.emissive, "rt_material_desc.emissive");
     require_finite(desc.alpha_cutoff, "rt_material_desc.alpha_cutoff");
@@ -121,6 +121,7 @@ scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc&
     material.shininess = desc.shininess;
     material.normal_scale = desc.normal_scale;
     material.masked = desc.alpha_mode == RT_ALPHA_MASK;
+    material.blended = desc.alpha_mode == RT_ALPHA_BLEND;
     material.double_sided = desc.double_sided != 0;
     describe_paths(desc, material);
     material.base_color_texture = to_use(desc.base_color_texture, "base_color_texture");

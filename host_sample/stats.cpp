@@ -20,7 +20,7 @@ constexpr std::pair<uint32_t, const char*> features[] = {
     {RT_FEATURE_SPECULAR, "specular"},         {RT_FEATURE_LIGHTS, "lights"},
     {RT_FEATURE_SHADOWS, "shadows"},           {RT_FEATURE_DYNAMIC_MESHES, "dynamic_meshes"},
     {RT_FEATURE_SINGLE_SIDED, "single_sided"}, {RT_FEATURE_REFLECTION, "reflection"},
-    {RT_FEATURE_TRANSMISSION, "transmission"}};
+    {RT_FEATURE_TRANSMISSION, "transmission"}, {RT_FEATURE_BLENDING, "blending"}};
 
 Json describe_left_out(uint32_t bits) {
     Json names = Json::array();

@@ -29,7 +29,9 @@ bool blocks_light_at(const Snapshot& snapshot, uint32_t slot, uint32_t primitive
                      float v) {
     const Snapshot::Mesh& mesh = snapshot.meshes[slot];
     const Material& material = snapshot.material_of(mesh, primitive);
-    return material.transmission <= 0.5f && present_at(snapshot, slot, primitive, u, v);
+    float covers = 1.0f - material.transmission;
+    if (material.is_translucent()) covers *= alpha_at(*mesh.data, material, primitive, u, v);
+    return covers >= 0.5f && present_at(snapshot, slot, primitive, u, v);
 }
 
 using AskAt = bool (*)(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u,

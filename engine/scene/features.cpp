@@ -15,6 +15,7 @@ uint32_t features_of(const Material& material) {
     if (material.specular != math::Vec3(0)) features |= kSpecular;
     if (material.reflectivity > 0) features |= kReflection;
     if (material.transmission > 0) features |= kTransmission;
+    if (material.blended) features |= kBlending;
     return features;
 }
 

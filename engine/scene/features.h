@@ -22,13 +22,14 @@ enum Feature : uint32_t {
     kSingleSidedMaterials = 1u << 8,
     kReflection = 1u << 9,
     kTransmission = 1u << 10,
-    kAllFeatures = (1u << 11) - 1,
+    kBlending = 1u << 11,
+    kAllFeatures = (1u << 12) - 1,
 };
 
 // Of materials at which paths go on.
-inline constexpr uint32_t kPathFeatures = kReflection | kTransmission;
+inline constexpr uint32_t kPathFeatures = kReflection | kTransmission | kBlending;
 // ... that light may pass.
-inline constexpr uint32_t kLightPassingFeatures = kTransmission;
+inline constexpr uint32_t kLightPassingFeatures = kTransmission | kBlending;
 
 uint32_t features_of(const Material& material);
 uint32_t features_of(const Light& light);

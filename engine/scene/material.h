@@ -24,6 +24,7 @@ struct Material {
     float shininess = 32;
     float normal_scale = 1;
     bool masked = false;
+    bool blended = false;
     bool double_sided = false;
     bool thin = false;              // see rt_material_desc
     float reflectivity = 0;         // at normal incidence, ...
@@ -42,8 +43,10 @@ struct Material {
     bool is_solid() const { return transmission > 0 && !thin; }
     bool shows_both_sides() const { return double_sided || is_solid(); }
     // Whether light may pass its surface.
-    bool may_pass_light() const { return transmission > 0; }
-    bool sends_paths_on() const { return reflectivity > 0 || transmission > 0; }
+    bool may_pass_light() const { return transmission > 0 || blended; }
+    bool sends_paths_on() const { return reflectivity > 0 || may_pass_light(); }
+    // Whether alpha is how much it covers.
+    bool is_translucent() const { return blended && !is_solid(); }
 };
 
 } // namespace peregrine::scene

@@ -136,7 +136,7 @@ TEST_F(BadField, MaterialFloats) {
 TEST_F(BadField, Material) {
     using C = Case<rt_material_desc>;
     const C cases[] = {
-        {[](auto& d) { d.alpha_mode = 2; }, RT_ERROR_INVALID_ARGUMENT, "alpha_mode is 2"},
+        {[](auto& d) { d.alpha_mode = 3; }, RT_ERROR_INVALID_ARGUMENT, "alpha_mode is 3"},
         {[](auto& d) { d.alpha_mode = -1; }, RT_ERROR_INVALID_ARGUMENT, "alpha_mode is -1"},
         {[](auto& d) { d.base_color[1] = -0.5f; }, RT_ERROR_INVALID_ARGUMENT,
          "rt_material_desc.base_color[1] is -0.5"},

@@ -171,7 +171,7 @@ private:
 
     rt_material_desc material() {
         rt_material_desc desc = rt_default_material_desc();
-        desc.alpha_mode = rt_alpha_mode(random_.below(2));
+        desc.alpha_mode = rt_alpha_mode(random_.below(3));
         desc.double_sided = random_.below(2);
         for (float& c : desc.base_color) c = random_.unit() * 2;
         for (float& c : desc.emissive) c = random_.one_in(3) ? random_.unit() : 0;

@@ -47,6 +47,7 @@ GlassScene::GlassScene(host::Stage& stage, const dvec3& origin)
     add_room();
     add_glass();
     add_box();
+    add_veil();
     add_lights();
     rt_environment environment = rt_default_environment();
     copy({0.06f, 0.07f, 0.09f}, environment.ambient);
@@ -130,6 +131,25 @@ void GlassScene::add_box() {
     desc.material = add(gold);
     stage_.check(api_.add_rigid_mesh(stage_.scene(), &desc, &box_), "adding the box");
     place({0.4, 0, -0.3, 0, 0.5, 0, 0.3, 0, 0.4}, {2.4, 0.55, -2.8});
+}
+
+// Denser upward.
+void GlassScene::add_veil() {
+    std::vector<uint8_t> bytes;
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            for (const int value : {200, 160 + 8 * x, 255, x % 2 && y % 2 ? 0 : 230 - 24 * y})
+                bytes.push_back(uint8_t(value));
+    rt_texture_desc desc = rt_default_texture_desc();
+    desc.format = RT_FORMAT_RGBA8_SRGB;
+    desc.width = desc.height = 8;
+    desc.filter = RT_FILTER_NEAREST;
+    desc.pixels = bytes.data();
+    rt_material_desc veil = matt(vec3(1));
+    veil.alpha_mode = RT_ALPHA_BLEND;
+    stage_.check(api_.add_texture(stage_.scene(), &desc, &veil.base_color_texture.texture),
+                 "adding a texture");
+    add(make_grid({0.9f, 0.9f, -0.6f}, {1.2f, 0, -0.3f}, {0, -0.8f, 0}, 1), veil);
 }
 
 void GlassScene::move() {

@@ -12,8 +12,8 @@ namespace peregrine::test {
 //      |  w     w  |   w  a window of thin panes
 //     m|   b       |   m  a mirror as high as the wall, tinted
 //      |     g   r |   g  a ball of glass on a polished floor, and a core of glass in it
-//      |___d_______|   d  a die of green glass   r  rigid: a golden box that mirrors
-//           camera
+//      |___d__v____|   d  a die of green glass   r  rigid: a golden box that mirrors
+//           camera      v  a veil with holes
 class GlassScene {
 public:
     // `origin` is the world's: everything is as far away.
@@ -32,6 +32,7 @@ private:
     void add_room();
     void add_glass();
     void add_box();
+    void add_veil();
     void add_lights();
     void place(const glm::dmat3& axes, const glm::dvec3& position);
     rt_camera look(const glm::dvec3& position, const glm::vec3& forward) const;

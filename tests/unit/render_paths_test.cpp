@@ -336,6 +336,41 @@ TEST(Pane, LetsLampsShineThrough) {
     EXPECT_EQ(lit(0), 0);
 }
 
+TEST(Blending, CoversByItsAlpha) {
+    RenderScene world;
+    world.scene.environment.ambient = Vec3(0.5f);
+    scene::Material material;
+    material.blended = material.double_sided = true;
+    material.base_color = {0.8f, 0.4f, 0.2f, 0.5f};
+    material.emissive = {0, 0, 1};
+    const base::Handle half = world.add_texture(2, 1, {1, 1, 1, 0.25f, 1, 1, 1, 1});
+    add_floor(world, 10, 1, world.add(material, half));
+    add_floor(world, 10, 0, world.add(material));
+    add_floor(world, 10, -1, world.add(glowing(Vec3(3))));
+    const Vec3 self = Vec3(0.4f, 0.2f, 0.1f) + Vec3(0, 0, 1);
+    const Vec3 beneath = self * 0.5f + Vec3(3) * 0.5f;
+    const auto look = [&](double x, uint32_t depth) {
+        return see(world, looking({x, 2, 0}, 0), depth);
+    };
+    EXPECT_LT(glm::length(look(-5, 4) - (self * 0.125f + beneath * 0.875f)), 1e-5f);
+    EXPECT_LT(glm::length(look(5, 4) - (self * 0.5f + beneath * 0.5f)), 1e-5f);
+    EXPECT_LT(glm::length(look(5, 0) - self), 1e-5f) << "opaque without bounces";
+}
+
+TEST(Blending, CastsAShadowWhereItCoversHalf) {
+    RenderScene world;
+    scene::Material white, veil;
+    white.double_sided = veil.double_sided = veil.blended = true;
+    add_floor(world, 10, 0, world.add(white));
+    const base::Handle half = world.add_texture(2, 1, {1, 1, 1, 0.45f, 1, 1, 1, 0.55f});
+    add_floor(world, 10, 3, world.add(veil, half));
+    scene::Light sun;
+    sun.type = scene::LightType::directional;
+    world.add(sun);
+    EXPECT_GT(see(world, looking({-5, 1, 0}, 0), 0).x, 0);
+    EXPECT_EQ(see(world, looking({5, 1, 0}, 0), 0).x, 0);
+}
+
 // Where it is equally bright everywhere, nothing shows, whatever it is made of.
 TEST(Paths, NeitherMakeNorLoseLight) {
     RenderScene world;
@@ -346,6 +381,8 @@ TEST(Paths, NeitherMakeNorLoseLight) {
     scene::Material gilded = mirror(0.7f, {1, 0.8f, 0.3f});
     scene::Material silvered = mirror(1);
     gilded.base_color = silvered.base_color = math::Vec4(1);
+    coated.blended = true;
+    coated.base_color.a = 0.7f;
     const scene::Material materials[] = {glass(), glass(2.4f), gilded, pane(), coated, silvered};
     for (int i = 0; i < 6; ++i) {
         const Vec3 at(float(i % 3) * 2 - 3, float(i / 3) * 2 - 2, -6);

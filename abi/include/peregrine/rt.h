@@ -234,7 +234,10 @@ RT_EXPORT rt_result rt_remove_texture(rt_scene scene, rt_texture texture) RT_NOE
 typedef int32_t rt_alpha_mode;
 enum {
     RT_ALPHA_OPAQUE = 0, /* alpha is ignored */
-    RT_ALPHA_MASK = 1    /* the surface is absent where alpha < alpha_cutoff */
+    RT_ALPHA_MASK = 1,   /* the surface is absent where alpha < alpha_cutoff */
+    RT_ALPHA_BLEND = 2   /* alpha is how much of what is behind the surface covers, in frames with a
+                            max_depth, unless it is the hull of a solid. It casts a shadow where it
+                            covers half or more. Queries see all of it */
 };
 
 /* A texture as a material uses it: (u', v') = (m[0] u + m[1] v + m[2], m[3] u + m[4] v + m[5]).
@@ -599,7 +602,8 @@ enum {
     RT_FEATURE_DYNAMIC_MESHES = 1u << 7,
     RT_FEATURE_SINGLE_SIDED = 1u << 8,
     RT_FEATURE_REFLECTION = 1u << 9,
-    RT_FEATURE_TRANSMISSION = 1u << 10
+    RT_FEATURE_TRANSMISSION = 1u << 10,
+    RT_FEATURE_BLENDING = 1u << 11
 };
 
 typedef struct rt_commit_report {

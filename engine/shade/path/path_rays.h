@@ -38,7 +38,10 @@ struct alignas(64) SplitRays {
     Branch through;
     bool any; // else nothing of it is set
 
-    Lanes eta; // on the way there: the index that the ray comes from over that which it goes to
+    // On the way there: of solids, the index that the ray comes from over that which it goes to; of
+    // what is translucent, how much it covers.
+    Lanes eta;
+    Lanes cover;
 };
 
 // One thread's working memory for paths.

@@ -10,6 +10,7 @@
 #include "shade/path/fresnel-inl.h"
 #include "shade/path/path_rays.h"
 #include "shade/surface/runs-inl.h"
+#include "shade/surface/sample-inl.h"
 #include "shade/surface/triangle_shading.h"
 
 #include <algorithm>
@@ -40,6 +41,19 @@ HWY_INLINE void cross_hull(const scene::MaterialSet& set, uint32_t solid, bool l
         out.through.media[i] = beyond;
         out.eta[i] = index(here.innermost()) / index(beyond.innermost());
     }
+}
+
+HWY_INLINE void find_cover(const scene::Material& material, uint32_t features, bool by_footprint,
+                           Run run, const Surface& surface, SplitRays& out) {
+    const Vf alpha = splat(material.base_color.a), one = splat(1.0f);
+    MaterialLook look;
+    look.look_at(material, features & scene::kTextures);
+    if (!look.color.texture) return fill(std::min(material.base_color.a, 1.0f), run, out.cover);
+    // The colour's coordinates are the first of a look at all textures, too.
+    sample_texture(look.color, surface, by_footprint, run,
+                   [&](uint32_t i, const V3&, Vf texel) HWY_ATTR {
+                       hn::StoreU(hn::Min(hn::Mul(texel, alpha), one), kF, out.cover + i);
+                   });
 }
 
 // How a material splits what comes from it.
@@ -83,6 +97,15 @@ struct Split {
             const V3 onward = material.thin ? along : view.bent(eta, bent);
             store_some(mask, onward, out.through.direction, i);
         }
+        if (material.is_translucent()) {
+            const Vf cover = hn::LoadU(kF, out.cover + i);
+            mirrored = scale(mirrored, cover);
+            matt = scale(matt, cover);
+            const V3 seen = scale(one, hn::Sub(one.x, cover));
+            through = add(scale(through, cover), seen);
+            store_some(mask, along, out.through.direction, i);
+            uncover(features, i, mask, cover, surface);
+        }
         store_some(mask, through, out.through.weight, i);
         store_some(mask, view.mirrored(), out.mirrored.direction, i);
         store_some(mask, mirrored, out.mirrored.weight, i);
@@ -92,6 +115,15 @@ struct Split {
     }
 
 private:
+    // What the surface itself sends out, where it is.
+    HWY_INLINE void uncover(uint32_t features, uint32_t i, Mf mask, Vf cover,
+                            Surface& surface) const {
+        if (features & scene::kSpecular)
+            store_some(mask, scale(load(surface.specular, i), cover), surface.specular, i);
+        if (features & scene::kEmissive)
+            store_some(mask, scale(load(surface.emissive, i), cover), surface.emissive, i);
+    }
+
     // No lamp shines on what does not show it, nor makes a highlight inside of a solid.
     HWY_INLINE void darken(uint32_t features, uint32_t i, Mf mask, Surface& surface) const {
         const V3 zero = splat(math::Vec3(0));
@@ -141,6 +173,8 @@ HWY_ATTR void split_paths(const scene::Snapshot& snapshot, uint32_t features,
         }
         const bool goes_through = material.may_pass_light();
         if (goes_through) gather(snapshot, 0, hit, back_face, space, triangle);
+        if (material.is_translucent())
+            find_cover(material, features, hits.footprint > 0, run, surface, out);
         const Split split(material, back_face);
         for (uint32_t i = run.begin; i < run.end; i += kLanes) {
             const Mf mask = hn::FirstN(kF, run.end - i);
