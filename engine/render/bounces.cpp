@@ -23,7 +23,9 @@ void shade_and_follow(const Plan& plan, TileBuffers& buffers, uint32_t count, fl
         plan.shader.find_surfaces(hits, shade::SurfacePart::all, scratch);
         plan.paths.split(hits, memory, scratch);
         light(hits, first);
-        plan.shader.find_radiance(hits, buffers.colors_from(first).channel, scratch);
+        const TileBuffers::Channels radiance = buffers.colors_from(first);
+        plan.shader.find_radiance(hits, radiance.channel, scratch);
+        if (plan.shader.has_sky()) plan.shader.paint_sky(hits, radiance.channel);
         plan.paths.keep(hits, colors, first, memory);
     });
     plan.paths.follow(colors, memory, scratch);

@@ -107,6 +107,7 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
     if (frame.wants_planes()) add(write_planes);
     if (!frame.pixels) return;
     add(stage_of(frame, paths.any()));
+    if (frame.is_shaded() && shader.has_sky() && !paths.any()) add(paint_sky);
     if (film) add(keep_on_film);
     if (frame.is_enlarged()) return;
     add(post::tones_of(frame));

@@ -42,7 +42,7 @@ struct Plan {
     std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
 private:
-    static constexpr uint32_t kMostStages = 8;
+    static constexpr uint32_t kMostStages = 10;
 
     void add(Stage stage) {
         if (stage) stages_[count_++] = stage;

@@ -70,6 +70,12 @@ void shade_tile(const Plan& plan, TileBuffers& buffers) {
     buffers.light.point_count += buffers.tile.count;
 }
 
+void paint_sky(const Plan& plan, TileBuffers& buffers) {
+    buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
+        plan.shader.paint_sky(hits, buffers.colors_from(first).channel);
+    });
+}
+
 void find_light(const Plan& plan, TileBuffers& buffers) {
     TileLight& light = buffers.light;
     light.begin(buffers.tile.count);

@@ -66,7 +66,19 @@ void Commit::show_lights() {
             lights_.back().position -= scene_.origin();
             snapshot_.features |= features_of(*slot.object);
         }
+}
+
+void Commit::show_environment() {
     snapshot_.environment = scene_.environment;
+    snapshot_.features |= features_of(scene_.environment);
+    Sky& sky = snapshot_.environment.sky;
+    if (sky.kind != SkyKind::texture) return;
+    const auto* found = scene_.textures.find(scene_.sky_texture);
+    if (!found)
+        base::fail(base::Code::invalid_argument,
+                   "the environment names texture {%u, %u}, which was removed",
+                   scene_.sky_texture.index, scene_.sky_texture.generation);
+    sky.texture = found->get(); // which the material set keeps
 }
 
 // With the last snapshot, if they are the same.
@@ -168,6 +180,7 @@ void Commit::prepare() {
     show_materials();
     show_meshes();
     show_lights();
+    show_environment();
     build_structures();
     place_instances();
     find_bounds();

@@ -23,4 +23,8 @@ uint32_t features_of(const Light& light) {
     return kLights | (light.casts_shadow ? uint32_t(kShadows) : 0);
 }
 
+uint32_t features_of(const Environment& environment) {
+    return environment.sky.kind == SkyKind::none ? 0 : uint32_t(kSky);
+}
+
 } // namespace peregrine::scene

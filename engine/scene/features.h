@@ -4,6 +4,7 @@
 
 namespace peregrine::scene {
 
+struct Environment;
 struct Light;
 struct Material;
 
@@ -23,7 +24,8 @@ enum Feature : uint32_t {
     kReflection = 1u << 9,
     kTransmission = 1u << 10,
     kBlending = 1u << 11,
-    kAllFeatures = (1u << 12) - 1,
+    kSky = 1u << 12,
+    kAllFeatures = (1u << 13) - 1,
 };
 
 // Of materials at which paths go on.
@@ -33,5 +35,6 @@ inline constexpr uint32_t kLightPassingFeatures = kTransmission | kBlending;
 
 uint32_t features_of(const Material& material);
 uint32_t features_of(const Light& light);
+uint32_t features_of(const Environment& environment);
 
 } // namespace peregrine::scene

@@ -135,7 +135,8 @@ public:
     base::SlotMap<MaterialDescription> materials;
     base::SlotMap<MeshDescription> meshes;
     base::SlotMap<Light> lights;
-    Environment environment;
+    Environment environment; // its sky's texture is a handle still
+    Handle sky_texture;
     SnapshotStore snapshots;
 
     // What snapshots are relative to from the next commit on. Fixed and deforming meshes already

@@ -17,6 +17,7 @@
 #include "shade/material/matt-inl.h"
 #include "shade/material/radiance-inl.h"
 #include "shade/path/split-inl.h"
+#include "shade/sky/sky-inl.h"
 #include "shade/surface/surfaces-inl.h"
 
 #include <utility>
@@ -68,6 +69,7 @@ constexpr Kernels kKernels = {
     {radiance_by_program<false>(Programs()), radiance_by_program<true>(Programs())},
     block_is_smooth,
     interpolate_block,
+    paint_sky,
     split_paths,
     absorb,
 };

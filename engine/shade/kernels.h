@@ -83,6 +83,9 @@ struct Kernels {
     bool (*block_is_smooth)(const float* t, uint32_t side, float pixel);
     void (*interpolate_block)(float* values, uint32_t side);
 
+    // What the rays see that hit nothing.
+    void (*paint_sky)(const scene::Sky& sky, const RayHits& hits, float* const radiance[3]);
+
     SplitPaths split_paths;
     // Takes from weights what is absorbed on the way to t.
     void (*absorb)(const float* const direction[3], const float* t, uint32_t count,

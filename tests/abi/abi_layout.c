@@ -146,6 +146,13 @@ static void print_lights(void) {
     FIELD(rt_environment, ambient);
     FIELD(rt_environment, background);
     FIELD(rt_environment, reserved);
+    FIELD(rt_environment, sky);
+    FIELD(rt_environment, zenith);
+    FIELD(rt_environment, horizon);
+    FIELD(rt_environment, ground);
+    FIELD(rt_environment, sky_texture);
+    FIELD(rt_environment, sky_intensity);
+    FIELD(rt_environment, sky_rotation);
 }
 
 static void print_commit(void) {

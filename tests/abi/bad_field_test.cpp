@@ -224,7 +224,9 @@ TEST_F(BadField, Light) {
 
 TEST_F(BadField, Environment) {
     using E = rt_environment;
-    const size_t offsets[] = {AT(E, ambient[0]), AT(E, ambient[2]), AT(E, background[1])};
+    const size_t offsets[] = {AT(E, ambient[0]),    AT(E, ambient[2]),  AT(E, background[1]),
+                              AT(E, zenith[0]),     AT(E, horizon[1]),  AT(E, ground[2]),
+                              AT(E, sky_intensity), AT(E, sky_rotation)};
     spoil_floats<E>(rt_default_environment(), offsets, [&](const E& bad) {
         expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
                        "rt_environment.");
@@ -233,6 +235,18 @@ TEST_F(BadField, Environment) {
     bad.reserved = 2;
     expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
                    "rt_environment.reserved");
+    bad.reserved = 0;
+    for (const int32_t sky : {-1, 3}) {
+        bad.sky = sky;
+        expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
+                       "rt_environment.sky is ");
+    }
+    bad.sky = RT_SKY_TEXTURE;
+    expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_HANDLE,
+                   "rt_environment.sky_texture");
+    bad.sky_intensity = -1;
+    expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
+                   "rt_environment.sky_intensity is -1");
 }
 
 TEST_F(BadField, Commit) {

@@ -289,6 +289,10 @@ private:
     void set_environment() {
         rt_environment environment = rt_default_environment();
         for (float& c : environment.background) c = random_.number();
+        environment.sky = rt_sky(random_.below(3));
+        for (float& c : environment.zenith) c = random_.unit();
+        environment.sky_texture = random_.pick(textures_);
+        environment.sky_rotation = random_.number();
         spoil(environment, 4);
         check(rt_set_environment(scene_, &environment));
     }

@@ -51,7 +51,10 @@ GlassScene::GlassScene(host::Stage& stage, const dvec3& origin)
     add_lights();
     rt_environment environment = rt_default_environment();
     copy({0.06f, 0.07f, 0.09f}, environment.ambient);
-    copy({0.25f, 0.4f, 0.7f}, environment.background);
+    environment.sky = RT_SKY_GRADIENT;
+    copy({0.12f, 0.25f, 0.6f}, environment.zenith);
+    copy({0.7f, 0.8f, 0.9f}, environment.horizon);
+    copy({0.25f, 0.2f, 0.15f}, environment.ground);
     stage_.check(api_.set_environment(stage_.scene(), &environment), "setting the environment");
 }
 
@@ -156,6 +159,33 @@ void GlassScene::move() {
     place({0.5, 0.1, 0, -0.1, 0.5, 0, 0, 0, -0.5}, {2.2, 0.8, -2});
 }
 
+void GlassScene::change_sky() {
+    constexpr int kWidth = 64, kHeight = 32;
+    std::vector<float> texels;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const float up = 1 - float(y) / kHeight;
+            const bool cloud = (x / 3 * 5 + y / 2 * 3) % 7 < 2 && y < kHeight / 2;
+            const bool sun = x > 36 && x < 40 && y > 6 && y < 10;
+            const vec3 color = sun     ? vec3(9, 7, 4)
+                               : cloud ? vec3(0.9f)
+                                       : vec3(0.8f, 0.6f, 0.4f) * (1 - up) + vec3(0.1f, 0.2f, 0.5f);
+            texels.insert(texels.end(), {color.x, color.y, color.z, 1});
+        }
+    rt_texture_desc desc = rt_default_texture_desc();
+    desc.format = RT_FORMAT_RGBA32F;
+    desc.width = kWidth;
+    desc.height = kHeight;
+    desc.pixels = texels.data();
+    rt_environment environment = rt_default_environment();
+    environment.sky = RT_SKY_TEXTURE;
+    environment.sky_intensity = 0.8f;
+    environment.sky_rotation = 0.4f;
+    stage_.check(api_.add_texture(stage_.scene(), &desc, &environment.sky_texture),
+                 "adding a texture");
+    stage_.check(api_.set_environment(stage_.scene(), &environment), "setting the environment");
+}
+
 // Rows of axes are those of the map.
 void GlassScene::place(const glm::dmat3& axes, const dvec3& position) {
     rt_transform transform = rt_default_transform();
@@ -190,6 +220,12 @@ rt_camera GlassScene::look(const dvec3& position, const vec3& forward) const {
 
 rt_camera GlassScene::camera() const {
     return look({0.3, 1.6, 2.4}, {-0.05f, -0.2f, -1});
+}
+
+rt_camera GlassScene::camera_at_the_sky() const {
+    rt_camera camera = look({0.3, 2.6, 2.4}, {0.1f, 0.4f, -1});
+    camera.vertical_fov = 1.8f;
+    return camera;
 }
 
 rt_camera GlassScene::camera_in_the_die() const {

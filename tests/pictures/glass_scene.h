@@ -21,9 +21,12 @@ public:
 
     // The golden box turns.
     void move();
+    // A sky that is an image.
+    void change_sky();
 
     rt_camera camera() const;
     rt_camera camera_in_the_die() const;
+    rt_camera camera_at_the_sky() const;
 
 private:
     rt_material add(const rt_material_desc& desc);

@@ -32,6 +32,17 @@ TEST_P(GlassPictures, Approximated) {
     expect("glass_direct", scene.camera(), frame);
 }
 
+TEST_P(GlassPictures, UnderASkyThatIsAnImage) {
+    GlassScene scene(*stage_, {});
+    scene.change_sky();
+    commit();
+    expect("glass_sky", scene.camera(), frame_of(160, 90));
+    rt_frame_desc frame = frame_of(121, 67);
+    frame.max_depth = 0;
+    frame.texture_filter = RT_TEXTURE_MIPMAPS;
+    expect("glass_sky_alone", scene.camera_at_the_sky(), frame);
+}
+
 TEST_P(GlassPictures, FarAwayAndMoved) {
     GlassScene scene(*stage_, {12345678.25, 1500.5, -7654321.75});
     commit();

@@ -502,11 +502,29 @@ RT_EXPORT rt_result rt_update_light(rt_scene scene, rt_light light,
                                     const rt_light_desc* desc) RT_NOEXCEPT;
 RT_EXPORT rt_result rt_remove_light(rt_scene scene, rt_light light) RT_NOEXCEPT;
 
+/* What rays see that leave the scene: those of the camera, and those that mirrors and glass send
+ * on. It gives no light: `ambient` does. */
+typedef int32_t rt_sky;
+enum {
+    RT_SKY_NONE = 0,     /* `background` everywhere */
+    RT_SKY_GRADIENT = 1, /* h = the direction's height, -1 to 1. Upward, h (2 - h) of `zenith` and
+                            the rest of `horizon`; downward, min(-8 h, 1) of `ground` */
+    RT_SKY_TEXTURE = 2 /* an equirectangular image: row 0 is up (+Y), its middle column -Z, what is
+                          right of that +X. It repeats around as its wrap_u says */
+};
+
 typedef struct rt_environment {
     uint32_t struct_size;
     float ambient[3];    /* radiance that reaches every surface from everywhere, >= 0 */
     float background[3]; /* radiance of rays that leave the scene */
     uint32_t reserved;   /* 0 */
+    rt_sky sky;
+    float zenith[3]; /* radiance, >= 0 */
+    float horizon[3];
+    float ground[3];
+    rt_texture sky_texture; /* a commit is refused once it was removed */
+    float sky_intensity;    /* times the sky's radiance, >= 0 */
+    float sky_rotation;     /* of the image about +Y, in radians, counter-clockwise from above */
 } rt_environment;
 
 static inline rt_environment rt_default_environment(void) {
@@ -514,9 +532,11 @@ static inline rt_environment rt_default_environment(void) {
     memset(&environment, 0, sizeof environment);
     environment.struct_size = (uint32_t)sizeof environment;
     environment.ambient[0] = environment.ambient[1] = environment.ambient[2] = 0.1f;
+    environment.sky_intensity = 1.0f;
     return environment;
 }
 
+/* Errors: INVALID_ARGUMENT, INVALID_HANDLE (the texture of RT_SKY_TEXTURE), INVALID_STRUCT. */
 RT_EXPORT rt_result rt_set_environment(rt_scene scene,
                                        const rt_environment* environment) RT_NOEXCEPT;
 
@@ -603,7 +623,8 @@ enum {
     RT_FEATURE_SINGLE_SIDED = 1u << 8,
     RT_FEATURE_REFLECTION = 1u << 9,
     RT_FEATURE_TRANSMISSION = 1u << 10,
-    RT_FEATURE_BLENDING = 1u << 11
+    RT_FEATURE_BLENDING = 1u << 11,
+    RT_FEATURE_SKY = 1u << 12
 };
 
 typedef struct rt_commit_report {

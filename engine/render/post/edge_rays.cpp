@@ -67,7 +67,9 @@ private:
         if (buffers_.paths) return shade_rays_and_follow(plan_, buffers_, ray_count, 1 / part);
         buffers_.for_each_batch(ray_count, [&](shade::RayHits hits, uint32_t first) {
             hits.footprint /= part;
-            plan_.shader.shade(hits, buffers_.colors_from(first).channel, buffers_.scratch);
+            const TileBuffers::Channels colors = buffers_.colors_from(first);
+            plan_.shader.shade(hits, colors.channel, buffers_.scratch);
+            if (plan_.shader.has_sky()) plan_.shader.paint_sky(hits, colors.channel);
         });
     }
 

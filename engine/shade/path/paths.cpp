@@ -164,6 +164,7 @@ void Paths::shade(const Batch& batch, float* const colors[3], PathMemory& memory
     shader_->gather_light(batch.hits, scratch, nullptr);
     float* const radiance[3] = {memory.radiance[0], memory.radiance[1], memory.radiance[2]};
     shader_->find_radiance(batch.hits, radiance, scratch);
+    if (shader_->has_sky()) shader_->paint_sky(batch.hits, radiance);
     for (uint32_t i = 0; i < batch.hits.count; ++i)
         for (int k = 0; k < 3; ++k)
             colors[k][batch.pixel[i]] += memory.weight[k][i] * radiance[k][i];
