@@ -110,6 +110,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     frame.steps_range = in.steps_range;
     frame.shadows = in.no_shadows == 0;
     frame.approximations = to_approximations(in);
+    frame.bounces = to_bounces(in);
     return frame;
 }
 
@@ -120,6 +121,7 @@ rt_frame_stats to_stats(const render::FrameStats& in) {
     out.rays_shadow = in.rays_shadow;
     out.rays_edge = in.rays_edge;
     out.light_points = in.light_points;
+    out.rays_bounced = in.rays_bounced;
     out.frame_ms = in.frame_ms;
     out.isa = rt_isa(in.isa);
     return out;

@@ -1,5 +1,6 @@
 #include "render/frame.h"
 
+#include "render/bounces.h"
 #include "render/film.h"
 #include "render/plan.h"
 #include "render/post/edge_rays.h"
@@ -30,6 +31,7 @@ public:
           workers_(std::min(scheduler.concurrency(), tiles_of(plan_.extent)), memory),
           tile_lights_(frame.keeps_light() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
+          path_room_(plan_, workers_.size(), memory),
           edges_(frame.looks_for_edges() ? workers_.size() : 0, memory) {}
 
     void run() {
@@ -37,6 +39,7 @@ public:
             workers_[i].scratch.shadow.initialize();
             workers_[i].scratch.lists = light_room_.lists(i);
             if (!tile_lights_.empty()) workers_[i].light = &tile_lights_[i];
+            workers_[i].paths = path_room_.memory(plan_, i);
             begin_primary_rays(plan_, workers_[i]);
         });
         for_each_tile([&](TileBuffers& buffers, uint32_t) {
@@ -53,6 +56,7 @@ public:
             stats.light_points += buffers.light_point_count;
             stats.rays_edge += buffers.edge_ray_count;
         }
+        stats.rays_bounced += path_room_.ray_count();
     }
 
 private:
@@ -112,6 +116,7 @@ private:
     base::Vector<TileBuffers> workers_;
     base::Vector<shade::TileLight> tile_lights_; // of each worker
     shade::LightRoom light_room_;
+    PathRoom path_room_;
     base::Vector<post::EdgeCounts> edges_; // of each worker
 };
 

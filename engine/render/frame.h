@@ -43,6 +43,13 @@ struct Approximations {
     uint32_t render_height = 0;
 };
 
+// How far the paths are followed that mirrors and glass send on; see rt_frame_desc.
+struct Bounces {
+    uint32_t max_depth = 0; // 0: they send none on
+    float least_importance = 0;
+};
+inline constexpr uint32_t kMostDepth = 16;
+
 struct Extent {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -67,6 +74,7 @@ struct Frame {
     Plane mesh_ids;     // base::Handle
     Plane normals;      // float[3]
     Approximations approximations;
+    Bounces bounces;
 
     bool is_shaded() const { return pixels && view == View::shaded; }
     bool looks_for_edges() const { return is_shaded() && approximations.edge_samples > 1; }
@@ -94,6 +102,7 @@ struct FrameStats {
     uint64_t rays_shadow = 0;
     uint64_t rays_edge = 0;
     uint64_t light_points = 0;
+    uint64_t rays_bounced = 0;
     double frame_ms = 0;
     base::Isa isa = base::Isa::scalar;
 };

@@ -1,5 +1,6 @@
 #include "render/plan.h"
 
+#include "render/bounces.h"
 #include "render/film.h"
 #include "render/planes.h"
 #include "render/post/encode.h"
@@ -60,7 +61,21 @@ shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera,
                          unseen_light(snapshot, frame));
 }
 
-Stage stage_of(const Frame& frame) {
+shade::PathLimits path_limits(const scene::Snapshot& snapshot, const Frame& frame) {
+    if (!frame.is_shaded() || !(snapshot.features & scene::kPathFeatures)) return {};
+    return {frame.bounces.max_depth, frame.bounces.least_importance / frame.exposure};
+}
+
+// What the eye of a frame with paths is in.
+shade::Media eye_media(const Plan& plan, const Camera& camera) {
+    if (!(plan.snapshot.features & scene::kTransmission)
+        || path_limits(plan.snapshot, plan.frame).max_depth == 0)
+        return {};
+    return media_at(plan.snapshot, camera.position, camera.forward, plan.filter);
+}
+
+Stage stage_of(const Frame& frame, bool has_paths) {
+    const bool in_blocks = frame.finds_blocks();
     switch (frame.view) {
     case View::normals:
         return show_normals;
@@ -71,7 +86,8 @@ Stage stage_of(const Frame& frame) {
     case View::light:
         return show_light;
     default:
-        return frame.finds_blocks() ? shade_blocks : shade_tile;
+        if (has_paths) return in_blocks ? shade_blocks_and_follow : shade_tile_and_follow;
+        return in_blocks ? shade_blocks : shade_tile;
     }
 }
 
@@ -84,12 +100,14 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
       eye(camera.position), filter(primary_filter(snapshot_)),
       shader(make_shader(snapshot_, camera, frame_, moved_lights)),
       block_light(shader, snapshot_.environment, frame_.approximations.light_tolerance,
-                  glm::length(pinhole.right), kUnseen / frame_.exposure) {
+                  glm::length(pinhole.right), kUnseen / frame_.exposure),
+      paths(snapshot_, shader, filter, path_limits(snapshot_, frame_), eye_media(*this, camera)) {
     if (frame.wants_planes()) add(fetch_planes);
     add(trace_primary_rays);
     if (frame.wants_planes()) add(write_planes);
     if (!frame.pixels) return;
-    add(stage_of(frame));
+    add(stage_of(frame, paths.any()));
+    if (frame.is_shaded() && shader.has_sky() && !paths.any()) add(paint_sky);
     if (film) add(keep_on_film);
     if (frame.is_enlarged()) return;
     add(post::tones_of(frame));

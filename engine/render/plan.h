@@ -3,6 +3,7 @@
 #include "render/camera.h"
 #include "render/frame.h"
 #include "shade/blocks/block_light.h"
+#include "shade/path/paths.h"
 #include "shade/shader.h"
 #include "trace/filter.h"
 
@@ -30,6 +31,7 @@ struct Plan {
     trace::Filter filter; // of primary rays
     shade::Shader shader;
     shade::BlockLight block_light; // of frames with light in blocks
+    shade::Paths paths;            // of scenes with mirrors or glass
 
     // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
     // `film` is for the frames that need one.
@@ -40,7 +42,7 @@ struct Plan {
     std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
 private:
-    static constexpr uint32_t kMostStages = 8;
+    static constexpr uint32_t kMostStages = 10;
 
     void add(Stage stage) {
         if (stage) stages_[count_++] = stage;

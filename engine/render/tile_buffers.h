@@ -3,6 +3,7 @@
 #include "base/slot_map.h"
 #include "render/tile.h"
 #include "shade/blocks/tile_light.h"
+#include "shade/path/path_rays.h"
 #include "shade/scratch.h"
 #include "shade/surface/ray_hits.h"
 
@@ -31,9 +32,10 @@ struct alignas(64) TileBuffers {
 
     TileColors colors; // radiance, then display values
     shade::Scratch scratch;
-    shade::TileLight* light = nullptr; // if Frame::keeps_light()
-    uint64_t light_point_count = 0;    // of a frame
-    uint64_t edge_ray_count = 0;       // of a frame
+    shade::TileLight* light = nullptr;  // if Frame::keeps_light()
+    uint64_t light_point_count = 0;     // of a frame
+    uint64_t edge_ray_count = 0;        // of a frame
+    shade::PathMemory* paths = nullptr; // of plans that have any
 
     // Calls function(hits, first) for batches of rays, `first` being a batch's first.
     template <class Function>

@@ -16,6 +16,8 @@
 #include "shade/material/highlight-inl.h"
 #include "shade/material/matt-inl.h"
 #include "shade/material/radiance-inl.h"
+#include "shade/path/split-inl.h"
+#include "shade/sky/sky-inl.h"
 #include "shade/surface/surfaces-inl.h"
 
 #include <utility>
@@ -67,6 +69,9 @@ constexpr Kernels kKernels = {
     {radiance_by_program<false>(Programs()), radiance_by_program<true>(Programs())},
     block_is_smooth,
     interpolate_block,
+    paint_sky,
+    split_paths,
+    absorb,
 };
 
 } // namespace peregrine::shade::HWY_NAMESPACE

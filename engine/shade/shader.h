@@ -29,11 +29,19 @@ public:
     // From scratch.surface and scratch.light.
     void find_radiance(const RayHits& hits, float* const radiance[3], const Scratch& scratch) const;
 
-    // All of it: radiance of at most kBatch rays.
+    // Over what find_radiance() says of rays that hit nothing, if there is a sky.
+    bool has_sky() const { return features_ & scene::kSky; }
+    void paint_sky(const RayHits& hits, float* const radiance[3]) const {
+        kernels_->paint_sky(snapshot_->environment.sky, hits, radiance);
+    }
+
+    // All of it but the sky: radiance of at most kBatch rays.
     void shade(const RayHits& hits, float* const radiance[3], Scratch& scratch) const;
 
     const LightChoice& light_choice() const { return lighting_.choice(); }
     const Kernels& kernels() const { return *kernels_; }
+    const SurfaceSpace& space() const { return space_; }
+    uint32_t features() const { return features_; }
     Program program() const { return program_; }
 
 private:
