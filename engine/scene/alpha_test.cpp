@@ -7,8 +7,8 @@ namespace {
 
 using geometry::TriangleInfo;
 
-float alpha_at(const MeshData& mesh, const Material& material, uint32_t primitive, float u,
-               float v) {
+inline float alpha_at(const MeshData& mesh, const Material& material, uint32_t primitive, float u,
+                      float v) {
     float alpha = material.base_color.a;
     const TextureUse& use = material.base_color_texture;
     if (use.texture) {
@@ -18,11 +18,19 @@ float alpha_at(const MeshData& mesh, const Material& material, uint32_t primitiv
     return alpha;
 }
 
+// Of what is masked.
 bool present_at(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u, float v) {
     const Snapshot::Mesh& mesh = snapshot.meshes[slot];
     const Material& material = snapshot.material_of(mesh, primitive);
-    return !material.masked
-           || alpha_at(*mesh.data, material, primitive, u, v) >= material.alpha_cutoff;
+    return alpha_at(*mesh.data, material, primitive, u, v) >= material.alpha_cutoff;
+}
+
+// In scenes where what light may pass asks, too.
+bool present_among_glass_at(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u,
+                            float v) {
+    const Snapshot::Mesh& mesh = snapshot.meshes[slot];
+    return !snapshot.material_of(mesh, primitive).masked
+           || present_at(snapshot, slot, primitive, u, v);
 }
 
 bool blocks_light_at(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u,
@@ -31,7 +39,7 @@ bool blocks_light_at(const Snapshot& snapshot, uint32_t slot, uint32_t primitive
     const Material& material = snapshot.material_of(mesh, primitive);
     float covers = 1.0f - material.transmission;
     if (material.is_translucent()) covers *= alpha_at(*mesh.data, material, primitive, u, v);
-    return covers >= 0.5f && present_at(snapshot, slot, primitive, u, v);
+    return covers >= 0.5f && present_among_glass_at(snapshot, slot, primitive, u, v);
 }
 
 using AskAt = bool (*)(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u,
@@ -53,10 +61,13 @@ bool ask_in_instance(const void* context, const TriangleInfo& triangle, float u,
 
 trace::AlphaTest alpha_test(const Snapshot& snapshot) {
     if (!(snapshot.features & kAlphaMask)) return {};
+    if (snapshot.features & kLightPassingFeatures) return {ask<present_among_glass_at>, &snapshot};
     return {ask<present_at>, &snapshot};
 }
 
 trace::AlphaTest alpha_test(const InstanceAlpha& instance) {
+    if (instance.snapshot->features & kLightPassingFeatures)
+        return {ask_in_instance<present_among_glass_at>, &instance};
     return {ask_in_instance<present_at>, &instance};
 }
 
