@@ -15,6 +15,10 @@ static_assert(RT_FEATURE_LIGHTS == int(scene::kLights));
 static_assert(RT_FEATURE_SHADOWS == int(scene::kShadows));
 static_assert(RT_FEATURE_DYNAMIC_MESHES == int(scene::kDynamicMeshes));
 static_assert(RT_FEATURE_SINGLE_SIDED == int(scene::kSingleSidedMaterials));
+static_assert(RT_FEATURE_REFLECTION == int(scene::kReflection));
+static_assert(RT_FEATURE_TRANSMISSION == int(scene::kTransmission));
+static_assert(RT_FEATURE_BLENDING == int(scene::kBlending));
+static_assert(RT_FEATURE_SKY == int(scene::kSky));
 
 static_assert(RT_BUILD_BALANCED == int(accel::bvh::Quality::balanced));
 static_assert(RT_BUILD_FAST == int(accel::bvh::Quality::fast));

@@ -110,6 +110,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     frame.steps_range = in.steps_range;
     frame.shadows = in.no_shadows == 0;
     frame.approximations = to_approximations(in);
+    frame.bounces = to_bounces(in);
     frame.occlusion = to_occlusion(in);
     return frame;
 }
@@ -121,6 +122,7 @@ rt_frame_stats to_stats(const render::FrameStats& in) {
     out.rays_shadow = in.rays_shadow;
     out.rays_edge = in.rays_edge;
     out.light_points = in.light_points;
+    out.rays_bounced = in.rays_bounced;
     out.rays_occlusion = in.rays_occlusion;
     out.occlusion_points = in.occlusion_points;
     out.frame_ms = in.frame_ms;

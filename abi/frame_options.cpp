@@ -46,6 +46,17 @@ render::Approximations to_approximations(const rt_frame_desc& in) {
     return out;
 }
 
+render::Bounces to_bounces(const rt_frame_desc& in) {
+    if (in.max_depth > render::kMostDepth)
+        base::fail(base::Code::limit, "rt_frame_desc.max_depth is %u; at most %u is supported",
+                   in.max_depth, render::kMostDepth);
+    if (!(in.least_importance >= 0 && in.least_importance <= 1))
+        base::fail(base::Code::invalid_argument,
+                   "rt_frame_desc.least_importance is %g; it must be 0 to 1",
+                   double(in.least_importance));
+    return {in.max_depth, in.least_importance};
+}
+
 render::Occlusion to_occlusion(const rt_frame_desc& in) {
     render::Occlusion out;
     if (!(in.occlusion_range >= 0))

@@ -7,6 +7,7 @@ namespace peregrine::abi {
 
 // Checked. `in.width` and `in.height` have been.
 render::Approximations to_approximations(const rt_frame_desc& in);
+render::Bounces to_bounces(const rt_frame_desc& in);
 render::Occlusion to_occlusion(const rt_frame_desc& in);
 
 } // namespace peregrine::abi

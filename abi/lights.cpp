@@ -82,12 +82,44 @@ scene::Light to_light(const rt_light_desc& desc) {
     return light;
 }
 
+static_assert(RT_SKY_TEXTURE == int(scene::SkyKind::texture));
+
+math::Vec3 to_color(const float (&color)[3]) {
+    return {color[0], color[1], color[2]};
+}
+
+scene::Sky to_sky(const rt_environment& fields) {
+    require_enum(fields.sky, RT_SKY_TEXTURE, "rt_environment.sky");
+    require_colour(fields.zenith, "rt_environment.zenith");
+    require_colour(fields.horizon, "rt_environment.horizon");
+    require_colour(fields.ground, "rt_environment.ground");
+    require_least_zero(fields.sky_intensity, "rt_environment.sky_intensity");
+    require_finite(fields.sky_rotation, "rt_environment.sky_rotation");
+    scene::Sky sky;
+    sky.kind = scene::SkyKind(fields.sky);
+    sky.zenith = to_color(fields.zenith);
+    sky.horizon = to_color(fields.horizon);
+    sky.ground = to_color(fields.ground);
+    sky.intensity = fields.sky_intensity;
+    sky.cosine = float(std::cos(double(fields.sky_rotation)));
+    sky.sine = float(std::sin(double(fields.sky_rotation)));
+    return sky;
+}
+
 scene::Environment to_environment(const rt_environment& fields) {
     require_colour(fields.ambient, "rt_environment.ambient");
     require_colour(fields.background, "rt_environment.background");
     require_zero(fields.reserved, "rt_environment.reserved");
-    return {{fields.ambient[0], fields.ambient[1], fields.ambient[2]},
-            {fields.background[0], fields.background[1], fields.background[2]}};
+    return {to_color(fields.ambient), to_color(fields.background), to_sky(fields)};
+}
+
+void set_environment(scene::Scene& scene, const rt_environment& fields) {
+    const scene::Environment environment = to_environment(fields);
+    const base::Handle texture = to_handle(fields.sky_texture);
+    if (environment.sky.kind == scene::SkyKind::texture)
+        require_object(scene.textures, texture, "rt_environment.sky_texture", "texture");
+    scene.environment = environment;
+    scene.sky_texture = texture;
 }
 
 } // namespace
@@ -122,6 +154,6 @@ rt_result rt_remove_light(rt_scene scene, rt_light light) noexcept {
 rt_result rt_set_environment(rt_scene scene, const rt_environment* environment) noexcept {
     return guard([&] {
         HostScene& host = find_scene(scene);
-        host.scene.environment = to_environment(read_struct(environment));
+        set_environment(host.scene, read_struct(environment));
     });
 }

@@ -1,8 +1,11 @@
 #include "check.h"
 #include "guard.h"
 #include "read_struct.h"
+#include "scene/collect.h"
 #include "scene_table.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace peregrine::abi {
@@ -41,7 +44,7 @@ base::Handle to_texture(scene::Scene& scene, const rt_texture_use& use, const ch
 }
 
 void check_numbers(const rt_material_desc& desc) {
-    require_enum(desc.alpha_mode, RT_ALPHA_MASK, "rt_material_desc.alpha_mode");
+    require_enum(desc.alpha_mode, RT_ALPHA_BLEND, "rt_material_desc.alpha_mode");
     require_colour(desc.base_color, "rt_material_desc.base_color");
     require_colour(desc.emissive, "rt_material_desc.emissive");
     require_finite(desc.alpha_cutoff, "rt_material_desc.alpha_cutoff");
@@ -53,6 +56,57 @@ void check_numbers(const rt_material_desc& desc) {
                    double(desc.shininess));
     require_finite(desc.normal_scale, "rt_material_desc.normal_scale");
     require_flag(desc.double_sided, "rt_material_desc.double_sided");
+}
+
+void require_share(float value, const char* field) {
+    if (!(value >= 0 && value <= 1))
+        base::fail(base::Code::invalid_argument, "%s is %g; it must be 0 to 1", field,
+                   double(value));
+}
+
+void require_shares(const float (&values)[3], const char* field) {
+    require_colour(values, field);
+    for (const float value : values) require_share(value, field);
+}
+
+void check_paths(const rt_material_desc& desc) {
+    constexpr float kLargestIndex = 10;
+    require_share(desc.reflectivity, "rt_material_desc.reflectivity");
+    require_shares(desc.reflection_color, "rt_material_desc.reflection_color");
+    require_share(desc.transmission, "rt_material_desc.transmission");
+    const float index = desc.index_of_refraction;
+    if (index != 0 && !(index >= 1 && index <= kLargestIndex))
+        base::fail(base::Code::invalid_argument,
+                   "rt_material_desc.index_of_refraction is %g; it must be 0 or from 1 to %g",
+                   double(index), double(kLargestIndex));
+    require_shares(desc.attenuation_color, "rt_material_desc.attenuation_color");
+    require_least_zero(desc.attenuation_distance, "rt_material_desc.attenuation_distance");
+    require_flag(desc.thin, "rt_material_desc.thin");
+    require_zero(desc.reserved, "rt_material_desc.reserved");
+}
+
+// Per metre (Beer's law). What is black lets 1e-6 through.
+math::Vec3 absorption(const rt_material_desc& desc) {
+    math::Vec3 result(0);
+    if (desc.attenuation_distance == 0) return result;
+    for (int k = 0; k < 3; ++k) {
+        const double left = std::max(double(desc.attenuation_color[k]), 1e-6);
+        result[k] = float(std::min(-std::log(left) / double(desc.attenuation_distance), 1e30));
+    }
+    return result;
+}
+
+void describe_paths(const rt_material_desc& desc, scene::Material& material) {
+    constexpr float kUsualIndex = 1.5f;
+    check_paths(desc);
+    material.reflectivity = desc.reflectivity;
+    material.reflection_color = {desc.reflection_color[0], desc.reflection_color[1],
+                                 desc.reflection_color[2]};
+    material.transmission = desc.transmission;
+    material.index_of_refraction =
+        desc.index_of_refraction == 0 ? kUsualIndex : desc.index_of_refraction;
+    material.absorption = absorption(desc);
+    material.thin = desc.thin != 0;
 }
 
 scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc& desc) {
@@ -67,7 +121,9 @@ scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc&
     material.shininess = desc.shininess;
     material.normal_scale = desc.normal_scale;
     material.masked = desc.alpha_mode == RT_ALPHA_MASK;
+    material.blended = desc.alpha_mode == RT_ALPHA_BLEND;
     material.double_sided = desc.double_sided != 0;
+    describe_paths(desc, material);
     material.base_color_texture = to_use(desc.base_color_texture, "base_color_texture");
     material.normal_texture = to_use(desc.normal_texture, "normal_texture");
     material.emissive_texture = to_use(desc.emissive_texture, "emissive_texture");
@@ -81,10 +137,7 @@ scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc&
 void update(scene::Scene& scene, rt_material handle, const rt_material_desc& desc) {
     auto& old = require_object(scene.materials, to_handle(handle), "rt_material", "material");
     const scene::MaterialDescription now = describe(scene, desc);
-    // The triangles of the structure carry these two.
-    if (old.material.masked != now.material.masked
-        || old.material.double_sided != now.material.double_sided)
-        scene.touch_flags();
+    if (scene::flags_of(old.material) != scene::flags_of(now.material)) scene.touch_flags();
     old = now;
     scene.touch_materials();
 }

@@ -46,7 +46,15 @@ struct Material {
     float shininess = 1.0f;
     float normal_scale = 1.0f;
     float alpha_cutoff = 0.5f;
+    float reflectivity = 0.0f;
+    glm::vec3 reflection_color{1.0f};
+    float transmission = 0.0f;
+    float index_of_refraction = 1.5f;
+    glm::vec3 attenuation_color{1.0f};
+    float attenuation_distance = 0.0f; // 0: nothing is lost
+    bool thin = false;
     bool masked = false;
+    bool blended = false;
     bool double_sided = false;
     TextureUse base_color_texture, normal_texture, emissive_texture;
 };

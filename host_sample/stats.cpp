@@ -15,11 +15,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::pair<uint32_t, const char*> features[] = {
-    {RT_FEATURE_TEXTURES, "textures"},        {RT_FEATURE_NORMAL_MAPS, "normal_maps"},
-    {RT_FEATURE_EMISSIVE, "emissive"},        {RT_FEATURE_ALPHA_MASK, "alpha_mask"},
-    {RT_FEATURE_SPECULAR, "specular"},        {RT_FEATURE_LIGHTS, "lights"},
-    {RT_FEATURE_SHADOWS, "shadows"},          {RT_FEATURE_DYNAMIC_MESHES, "dynamic_meshes"},
-    {RT_FEATURE_SINGLE_SIDED, "single_sided"}};
+    {RT_FEATURE_TEXTURES, "textures"},
+    {RT_FEATURE_NORMAL_MAPS, "normal_maps"},
+    {RT_FEATURE_EMISSIVE, "emissive"},
+    {RT_FEATURE_ALPHA_MASK, "alpha_mask"},
+    {RT_FEATURE_SPECULAR, "specular"},
+    {RT_FEATURE_LIGHTS, "lights"},
+    {RT_FEATURE_SHADOWS, "shadows"},
+    {RT_FEATURE_DYNAMIC_MESHES, "dynamic_meshes"},
+    {RT_FEATURE_SINGLE_SIDED, "single_sided"},
+    {RT_FEATURE_REFLECTION, "reflection"},
+    {RT_FEATURE_TRANSMISSION, "transmission"},
+    {RT_FEATURE_BLENDING, "blending"},
+    {RT_FEATURE_SKY, "sky"}};
 
 Json describe_left_out(uint32_t bits) {
     Json names = Json::array();

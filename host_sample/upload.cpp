@@ -73,7 +73,9 @@ private:
 
     void add_material(const Material& material) {
         rt_material_desc desc = rt_default_material_desc();
-        desc.alpha_mode = material.masked ? RT_ALPHA_MASK : RT_ALPHA_OPAQUE;
+        desc.alpha_mode = material.masked    ? RT_ALPHA_MASK
+                          : material.blended ? RT_ALPHA_BLEND
+                                             : RT_ALPHA_OPAQUE;
         desc.alpha_cutoff = material.alpha_cutoff;
         copy3(material.base_color, desc.base_color);
         desc.base_color[3] = material.base_color.a;
@@ -82,6 +84,13 @@ private:
         desc.shininess = material.shininess;
         desc.normal_scale = material.normal_scale;
         desc.double_sided = material.double_sided ? 1 : 0;
+        desc.reflectivity = material.reflectivity;
+        copy3(material.reflection_color, desc.reflection_color);
+        desc.transmission = material.transmission;
+        desc.index_of_refraction = material.index_of_refraction;
+        copy3(material.attenuation_color, desc.attenuation_color);
+        desc.attenuation_distance = material.attenuation_distance;
+        desc.thin = material.thin ? 1 : 0;
         desc.base_color_texture = to_use(material.base_color_texture);
         desc.normal_texture = to_use(material.normal_texture);
         desc.emissive_texture = to_use(material.emissive_texture);

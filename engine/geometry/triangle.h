@@ -12,7 +12,7 @@ using math::Vec3;
 
 enum TriangleFlag : uint32_t {
     kSingleSided = 1u << 0, // frames do not show its back
-    kMasked = 1u << 1,      // its material may be absent at a hit: ask the alpha test
+    kMasked = 1u << 1,      // it may be absent at a hit, or light may pass: ask the filter's test
 };
 
 // Where a triangle comes from.

@@ -1,5 +1,6 @@
 #include "render/frame.h"
 
+#include "render/bounces.h"
 #include "render/film.h"
 #include "render/plan.h"
 #include "render/post/edge_rays.h"
@@ -31,6 +32,7 @@ public:
           tile_lights_(frame.keeps_light() ? workers_.size() : 0, memory),
           tile_openness_(plan_.shader.finds_openness() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
+          path_room_(plan_, workers_.size(), memory),
           edges_(frame.looks_for_edges() ? workers_.size() : 0, memory) {}
 
     void run() {
@@ -38,6 +40,7 @@ public:
             workers_[i].scratch.shadow.initialize();
             workers_[i].scratch.lists = light_room_.lists(i);
             if (!tile_lights_.empty()) workers_[i].light = &tile_lights_[i];
+            workers_[i].paths = path_room_.memory(plan_, i);
             if (!tile_openness_.empty()) {
                 workers_[i].openness = &tile_openness_[i];
                 workers_[i].scratch.openness = &tile_openness_[i].memory;
@@ -58,6 +61,7 @@ public:
             stats.light_points += buffers.light_point_count;
             stats.rays_edge += buffers.edge_ray_count;
         }
+        stats.rays_bounced += path_room_.ray_count();
         for (const shade::TileOpenness& openness : tile_openness_) {
             stats.rays_occlusion += openness.memory.ray_count;
             stats.occlusion_points += openness.point_count;
@@ -122,6 +126,7 @@ private:
     base::Vector<shade::TileLight> tile_lights_;      // of each worker
     base::Vector<shade::TileOpenness> tile_openness_; // of each worker
     shade::LightRoom light_room_;
+    PathRoom path_room_;
     base::Vector<post::EdgeCounts> edges_; // of each worker
 };
 

@@ -50,6 +50,13 @@ struct Approximations {
     uint32_t render_height = 0;
 };
 
+// How far the paths are followed that mirrors and glass send on; see rt_frame_desc.
+struct Bounces {
+    uint32_t max_depth = 0; // 0: they send none on
+    float least_importance = 0;
+};
+inline constexpr uint32_t kMostDepth = 16;
+
 // How much ambient light reaches a place. See rt_frame_desc.
 struct Occlusion {
     float range = 0; // metres; 0: all of it
@@ -84,6 +91,7 @@ struct Frame {
     Plane mesh_ids;     // base::Handle
     Plane normals;      // float[3]
     Approximations approximations;
+    Bounces bounces;
     Occlusion occlusion;
 
     bool is_shaded() const { return pixels && view == View::shaded; }
@@ -112,6 +120,7 @@ struct FrameStats {
     uint64_t rays_shadow = 0;
     uint64_t rays_edge = 0;
     uint64_t light_points = 0;
+    uint64_t rays_bounced = 0;
     uint64_t rays_occlusion = 0;
     uint64_t occlusion_points = 0;
     double frame_ms = 0;

@@ -1,5 +1,6 @@
 #include "render/plan.h"
 
+#include "render/bounces.h"
 #include "render/film.h"
 #include "render/occlusion.h"
 #include "render/planes.h"
@@ -71,7 +72,21 @@ shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera,
     return shader;
 }
 
-Stage stage_of(const Frame& frame) {
+shade::PathLimits path_limits(const scene::Snapshot& snapshot, const Frame& frame) {
+    if (!frame.is_shaded() || !(snapshot.features & scene::kPathFeatures)) return {};
+    return {frame.bounces.max_depth, frame.bounces.least_importance / frame.exposure};
+}
+
+// What the eye of a frame with paths is in.
+shade::Media eye_media(const Plan& plan, const Camera& camera) {
+    if (!(plan.snapshot.features & scene::kTransmission)
+        || path_limits(plan.snapshot, plan.frame).max_depth == 0)
+        return {};
+    return media_at(plan.snapshot, camera.position, camera.forward, plan.filter);
+}
+
+Stage stage_of(const Frame& frame, bool has_paths) {
+    const bool in_blocks = frame.finds_blocks();
     switch (frame.view) {
     case View::normals:
         return show_normals;
@@ -84,7 +99,8 @@ Stage stage_of(const Frame& frame) {
     case View::occlusion:
         return show_openness;
     default:
-        return frame.finds_blocks() ? shade_blocks : shade_tile;
+        if (has_paths) return in_blocks ? shade_blocks_and_follow : shade_tile_and_follow;
+        return in_blocks ? shade_blocks : shade_tile;
     }
 }
 
@@ -101,13 +117,15 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
       block_openness(shader,
                      {frame_.occlusion.tolerance, frame_.occlusion.normal_tolerance,
                       frame_.occlusion.plane_tolerance},
-                     glm::length(pinhole.right)) {
+                     glm::length(pinhole.right)),
+      paths(snapshot_, shader, filter, path_limits(snapshot_, frame_), eye_media(*this, camera)) {
     if (frame.wants_planes()) add(fetch_planes);
     add(trace_primary_rays);
     if (frame.wants_planes()) add(write_planes);
     if (!frame.pixels) return;
     if (shader.finds_openness()) add(find_openness);
-    add(stage_of(frame));
+    add(stage_of(frame, paths.any()));
+    if (frame.is_shaded() && shader.has_sky() && !paths.any()) add(paint_sky);
     if (film) add(keep_on_film);
     if (frame.is_enlarged()) return;
     add(post::tones_of(frame));

@@ -4,6 +4,7 @@
 #include "render/frame.h"
 #include "shade/blocks/block_light.h"
 #include "shade/occlusion/block_openness.h"
+#include "shade/path/paths.h"
 #include "shade/shader.h"
 #include "trace/filter.h"
 
@@ -32,6 +33,7 @@ struct Plan {
     shade::Shader shader;
     shade::BlockLight block_light;       // of frames with light in blocks
     shade::BlockOpenness block_openness; // if the shader finds it
+    shade::Paths paths;                  // of scenes with mirrors or glass
 
     // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
     // `film` is for the frames that need one.
@@ -42,7 +44,7 @@ struct Plan {
     std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
 private:
-    static constexpr uint32_t kMostStages = 8;
+    static constexpr uint32_t kMostStages = 10;
 
     void add(Stage stage) {
         if (stage) stages_[count_++] = stage;

@@ -5,17 +5,36 @@
 #include <algorithm>
 
 namespace peregrine::render {
+void keep_light(const shade::RayHits& hits, uint32_t first, TileBuffers& buffers) {
+    for (int k = 0; k < 3; ++k)
+        std::copy_n(buffers.scratch.light.irradiance[k], hits.count,
+                    buffers.light->irradiance[k] + first);
+}
+
+void take_light(const Plan& plan, const shade::RayHits& hits, uint32_t first,
+                TileBuffers& buffers) {
+    const shade::TileLight& light = *buffers.light;
+    shade::Illumination& out = buffers.scratch.light;
+    const bool lobes = plan.shader.program() == shade::Program::highlight;
+    for (int k = 0; k < 3; ++k) {
+        std::copy_n(light.irradiance[k] + first, hits.count, out.irradiance[k]);
+        if (lobes) std::copy_n(light.highlight[k] + first, hits.count, out.highlight[k]);
+    }
+}
+
 void shade_tile(const Plan& plan, TileBuffers& buffers) {
     buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
-        const float* const openness =
-            buffers.openness ? buffers.openness->openness + first : nullptr;
-        plan.shader.shade(hits, buffers.colors_from(first).channel, buffers.scratch, openness);
-        if (!plan.frame.looks_for_edges()) return;
-        for (int k = 0; k < 3; ++k)
-            std::copy_n(buffers.scratch.light.irradiance[k], hits.count,
-                        buffers.light->irradiance[k] + first);
+        plan.shader.shade(hits, buffers.colors_from(first).channel, buffers.scratch,
+                          buffers.openness_from(first));
+        if (plan.frame.looks_for_edges()) keep_light(hits, first, buffers);
     });
     buffers.light_point_count += buffers.tile.count;
+}
+
+void paint_sky(const Plan& plan, TileBuffers& buffers) {
+    buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
+        plan.shader.paint_sky(hits, buffers.colors_from(first).channel);
+    });
 }
 
 void find_light(const Plan& plan, TileBuffers& buffers) {
@@ -29,19 +48,11 @@ void find_light(const Plan& plan, TileBuffers& buffers) {
 
 void shade_blocks(const Plan& plan, TileBuffers& buffers) {
     find_light(plan, buffers);
-    const shade::TileLight& light = *buffers.light;
-    shade::Scratch& scratch = buffers.scratch;
-    const bool lobes = plan.shader.program() == shade::Program::highlight;
     buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
-        plan.shader.find_surfaces(hits, shade::SurfacePart::colors, scratch);
-        for (int k = 0; k < 3; ++k) {
-            std::copy_n(light.irradiance[k] + first, hits.count, scratch.light.irradiance[k]);
-            if (lobes)
-                std::copy_n(light.highlight[k] + first, hits.count, scratch.light.highlight[k]);
-        }
-        if (buffers.openness)
-            std::copy_n(buffers.openness->openness + first, hits.count, scratch.light.openness);
-        plan.shader.find_radiance(hits, buffers.colors_from(first).channel, scratch);
+        plan.shader.find_surfaces(hits, shade::SurfacePart::colors, buffers.scratch);
+        take_light(plan, hits, first, buffers);
+        plan.shader.take_openness(hits, buffers.openness_from(first), buffers.scratch);
+        plan.shader.find_radiance(hits, buffers.colors_from(first).channel, buffers.scratch);
     });
 }
 

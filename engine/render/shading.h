@@ -11,6 +11,13 @@ void shade_tile(const Plan& plan, TileBuffers& buffers);
 // ... or light in blocks.
 void shade_blocks(const Plan& plan, TileBuffers& buffers);
 
+// A stage: the sky, where the rays of the tile hit nothing. Paths paint it themselves.
+void paint_sky(const Plan& plan, TileBuffers& buffers);
+
+// buffers.light takes what the scratch has of a batch, or gives it.
+void keep_light(const shade::RayHits& hits, uint32_t first, TileBuffers& buffers);
+void take_light(const Plan& plan, const shade::RayHits& hits, uint32_t first, TileBuffers& buffers);
+
 // Fills buffers.light, in blocks if the frame wants that (shade/blocks).
 void find_light(const Plan& plan, TileBuffers& buffers);
 

@@ -4,6 +4,7 @@
 #include "render/tile.h"
 #include "shade/blocks/tile_light.h"
 #include "shade/occlusion/tile_openness.h"
+#include "shade/path/path_rays.h"
 #include "shade/scratch.h"
 #include "shade/surface/ray_hits.h"
 
@@ -36,6 +37,7 @@ struct alignas(64) TileBuffers {
     shade::TileOpenness* openness = nullptr; // if the shader finds it
     uint64_t light_point_count = 0;          // of a frame
     uint64_t edge_ray_count = 0;             // of a frame
+    shade::PathMemory* paths = nullptr;      // of plans that have any
 
     // Calls function(hits, first) for batches of rays, `first` being a batch's first.
     template <class Function>
@@ -47,6 +49,11 @@ struct alignas(64) TileBuffers {
     template <class Function>
     void for_each_batch(Function&& function) {
         for_each_batch(tile.count, function);
+    }
+
+    // Of the tile's rays; null if it is not wanted.
+    const float* openness_from(uint32_t first) const {
+        return openness ? openness->openness + first : nullptr;
     }
 
     shade::TileHits tile_hits() const {

@@ -11,4 +11,9 @@ trace::AlphaTest alpha_test(const Snapshot& snapshot);
 // ... of one instance, whose triangles do not say whose they are.
 trace::AlphaTest alpha_test(const InstanceAlpha& instance);
 
+// Whether a surface is in the way of light: for shadow rays, which know no half shadows. What lets
+// more than half of the light through is not.
+trace::AlphaTest light_test(const Snapshot& snapshot);
+trace::AlphaTest light_test(const InstanceAlpha& instance);
+
 } // namespace peregrine::scene

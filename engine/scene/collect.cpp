@@ -3,14 +3,11 @@
 #include "geometry/area.h"
 
 namespace peregrine::scene {
-namespace {
 
 uint32_t flags_of(const Material& material) {
-    return (material.masked ? uint32_t(geometry::kMasked) : 0)
-           | (material.double_sided ? 0 : uint32_t(geometry::kSingleSided));
+    return (material.masked || material.may_pass_light() ? uint32_t(geometry::kMasked) : 0)
+           | (material.shows_both_sides() ? 0 : uint32_t(geometry::kSingleSided));
 }
-
-} // namespace
 
 void collect_triangles(const MeshData& data, const MeshMaterials& shown,
                        const MaterialSet& materials, uint32_t slot, Geometry& geometry) {

@@ -66,7 +66,19 @@ void Commit::show_lights() {
             lights_.back().position -= scene_.origin();
             snapshot_.features |= features_of(*slot.object);
         }
+}
+
+void Commit::show_environment() {
     snapshot_.environment = scene_.environment;
+    snapshot_.features |= features_of(scene_.environment);
+    Sky& sky = snapshot_.environment.sky;
+    if (sky.kind != SkyKind::texture) return;
+    const auto* found = scene_.textures.find(scene_.sky_texture);
+    if (!found)
+        base::fail(base::Code::invalid_argument,
+                   "the environment names texture {%u, %u}, which was removed",
+                   scene_.sky_texture.index, scene_.sky_texture.generation);
+    sky.texture = found->get(); // which the material set keeps
 }
 
 // With the last snapshot, if they are the same.
@@ -96,7 +108,8 @@ void Commit::place_instances() {
     world.first_moving = uint32_t(first);
 
     snapshot_.instances.reserve(moving_);
-    if (snapshot_.features & kAlphaMask) snapshot_.instance_alphas.reserve(moving_);
+    const bool asks = snapshot_.features & (kAlphaMask | kLightPassingFeatures);
+    if (asks) snapshot_.instance_alphas.reserve(moving_);
     scene_.extents_.clear();
     auto& slots = scene_.meshes.slots();
     for (uint32_t i = 0; i < slots.size(); ++i) {
@@ -115,15 +128,16 @@ void Commit::place_instances() {
             unusable_ += shape->infos.size();
             continue;
         }
-        trace::AlphaTest alpha;
-        if (snapshot_.features & kAlphaMask) {
+        trace::AlphaTest alpha, light;
+        if (asks) {
             snapshot_.instance_alphas.push_back({&snapshot_, i});
             alpha = alpha_test(snapshot_.instance_alphas.back());
+            light = light_test(snapshot_.instance_alphas.back());
         }
         const bool is_rigid = mesh.kind == MeshKind::rigid;
         const Placement* const placement = snapshot_.placement_of(snapshot_.meshes[i]);
         snapshot_.instances.push_back({mesh.placement.to_local, mesh.placement.to_world.offset,
-                                       part_of(*shape, first), i, mesh.layer_mask, alpha,
+                                       part_of(*shape, first), i, mesh.layer_mask, alpha, light,
                                        is_rigid ? &placement->to_world : nullptr,
                                        is_rigid && placement->mirrored});
         rigid_count_ += is_rigid;
@@ -166,6 +180,7 @@ void Commit::prepare() {
     show_materials();
     show_meshes();
     show_lights();
+    show_environment();
     build_structures();
     place_instances();
     find_bounds();

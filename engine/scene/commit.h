@@ -33,6 +33,7 @@ private:
     void show_materials();
     void show_meshes();
     void show_lights();
+    void show_environment();
     // Of the progress; the rest is that of proofs.
     float build_share() const { return options_.proofs.proves ? 0.1f : 1.0f; }
     void build_structures();

@@ -7,17 +7,24 @@ namespace peregrine::scene {
 
 uint32_t features_of(const Material& material) {
     uint32_t features = material.masked ? uint32_t(kAlphaMask) : 0;
-    if (!material.double_sided) features |= kSingleSidedMaterials;
+    if (!material.shows_both_sides()) features |= kSingleSidedMaterials;
     if (material.base_color_texture.texture) features |= kTextures;
     if (material.normal_texture.texture) features |= kNormalMaps | kTextures;
     if (material.emissive_texture.texture) features |= kTextures;
     if (material.emissive != math::Vec3(0)) features |= kEmissive;
     if (material.specular != math::Vec3(0)) features |= kSpecular;
+    if (material.reflectivity > 0) features |= kReflection;
+    if (material.transmission > 0) features |= kTransmission;
+    if (material.blended) features |= kBlending;
     return features;
 }
 
 uint32_t features_of(const Light& light) {
     return kLights | (light.casts_shadow ? uint32_t(kShadows) : 0);
+}
+
+uint32_t features_of(const Environment& environment) {
+    return environment.sky.kind == SkyKind::none ? 0 : uint32_t(kSky);
 }
 
 } // namespace peregrine::scene

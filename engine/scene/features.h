@@ -4,6 +4,7 @@
 
 namespace peregrine::scene {
 
+struct Environment;
 struct Light;
 struct Material;
 
@@ -20,10 +21,20 @@ enum Feature : uint32_t {
     kShadows = 1u << 6,
     kDynamicMeshes = 1u << 7,
     kSingleSidedMaterials = 1u << 8,
-    kAllFeatures = (1u << 9) - 1,
+    kReflection = 1u << 9,
+    kTransmission = 1u << 10,
+    kBlending = 1u << 11,
+    kSky = 1u << 12,
+    kAllFeatures = (1u << 13) - 1,
 };
+
+// Of materials at which paths go on.
+inline constexpr uint32_t kPathFeatures = kReflection | kTransmission | kBlending;
+// ... that light may pass.
+inline constexpr uint32_t kLightPassingFeatures = kTransmission | kBlending;
 
 uint32_t features_of(const Material& material);
 uint32_t features_of(const Light& light);
+uint32_t features_of(const Environment& environment);
 
 } // namespace peregrine::scene

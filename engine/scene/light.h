@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/vec.h"
+#include "scene/sky.h"
 
 #include <cstdint>
 
@@ -39,6 +40,7 @@ struct Light {
 struct Environment {
     math::Vec3 ambient{0.1f};
     math::Vec3 background{0};
+    Sky sky{};
 };
 
 } // namespace peregrine::scene

@@ -24,13 +24,29 @@ struct Material {
     float shininess = 32;
     float normal_scale = 1;
     bool masked = false;
+    bool blended = false;
     bool double_sided = false;
+    bool thin = false; // see rt_material_desc
     TextureUse base_color_texture;
     TextureUse normal_texture;
     TextureUse emissive_texture;
     uint32_t slot = 0; // of the handle, with its generation; 0, 0: the default material
     uint32_t generation = 0;
     uint64_t user_data = 0;
+    float reflectivity = 0;         // at normal incidence, ...
+    math::Vec3 reflection_color{1}; // ... times this
+    float transmission = 0;         // of what is not mirrored
+    float index_of_refraction = 1.5f;
+    math::Vec3 absorption{0}; // of a solid, per metre
+
+    // Whether it is the hull of something that light goes through, and bends in.
+    bool is_solid() const { return transmission > 0 && !thin; }
+    bool shows_both_sides() const { return double_sided || is_solid(); }
+    // Whether light may pass its surface.
+    bool may_pass_light() const { return transmission > 0 || blended; }
+    bool sends_paths_on() const { return reflectivity > 0 || may_pass_light(); }
+    // Whether alpha is how much it covers.
+    bool is_translucent() const { return blended && !is_solid(); }
 };
 
 } // namespace peregrine::scene

@@ -135,7 +135,8 @@ public:
     base::SlotMap<MaterialDescription> materials;
     base::SlotMap<MeshDescription> meshes;
     base::SlotMap<Light> lights;
-    Environment environment;
+    Environment environment; // its sky's texture is a handle still
+    Handle sky_texture;
     SnapshotStore snapshots;
 
     // What snapshots are relative to from the next commit on. Fixed and deforming meshes already
@@ -150,7 +151,7 @@ public:
     }
     // ... when a material or a texture changed in any way.
     void touch_materials() { ++materials_version_; }
-    // ... when a material became masked or double-sided or ceased to be: triangles say so too.
+    // ... when flags_of() a material changed: triangles carry them.
     void touch_flags();
 
     CommitReport commit(const CommitOptions& options);

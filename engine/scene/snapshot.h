@@ -63,7 +63,7 @@ struct Snapshot {
     base::Vector<trace::Instance> instances; // of meshes that move and are not hidden
     base::Vector<accel::instances::Node> instance_nodes;
     base::Vector<accel::instances::NodeRest> instance_rests; // beside them, if any is far away
-    base::Vector<InstanceAlpha> instance_alphas; // beside `instances`; empty if nothing is masked
+    base::Vector<InstanceAlpha> instance_alphas; // beside `instances`; empty if no test asks
     Environment environment;
     uint32_t features = 0; // Feature bits that the scene has
     uint64_t version = 0;

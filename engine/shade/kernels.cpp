@@ -16,6 +16,8 @@
 #include "shade/material/highlight-inl.h"
 #include "shade/material/matt-inl.h"
 #include "shade/material/radiance-inl.h"
+#include "shade/path/split-inl.h"
+#include "shade/sky/sky-inl.h"
 #include "shade/surface/surfaces-inl.h"
 
 #include <utility>
@@ -73,6 +75,9 @@ constexpr Kernels kKernels = {
     {radiance_by_emission<false>(), radiance_by_emission<true>()},
     block_is_smooth,
     interpolate_block,
+    paint_sky,
+    split_paths,
+    absorb,
 };
 
 } // namespace peregrine::shade::HWY_NAMESPACE

@@ -5,6 +5,7 @@
 #include "scene/snapshot.h"
 #include "shade/light/illumination.h"
 #include "shade/material/program.h"
+#include "shade/path/path_rays.h"
 #include "shade/surface/ray_hits.h"
 #include "shade/surface/space.h"
 #include "shade/surface/surface.h"
@@ -58,6 +59,12 @@ using FindRadiance = void (*)(const Surface& surface, const Illumination& light,
                               const RayHits& hits, const scene::Environment& environment,
                               float* const radiance[3]);
 
+// Takes from the surfaces of hits what the rays that go on will bring (path/split-inl.h). `media`:
+// of the rays that arrive.
+using SplitPaths = void (*)(const scene::Snapshot& snapshot, uint32_t features,
+                            const SurfaceSpace& space, const RayHits& hits, const Media* media,
+                            Surface& surface, SplitRays& out);
+
 // The loops over a batch, compiled for each instruction set; all of them give the same bits.
 struct Kernels {
     std::array<FindSurfaces, kSurfaceParts> find_surfaces; // by SurfacePart
@@ -76,6 +83,14 @@ struct Kernels {
     // Of blocks of a tile (blocks/blocks-inl.h).
     bool (*block_is_smooth)(const float* t, uint32_t side, float pixel, float part);
     void (*interpolate_block)(float* values, uint32_t side);
+
+    // What the rays see that hit nothing.
+    void (*paint_sky)(const scene::Sky& sky, const RayHits& hits, float* const radiance[3]);
+
+    SplitPaths split_paths;
+    // Takes from weights what is absorbed on the way to t.
+    void (*absorb)(const float* const direction[3], const float* t, uint32_t count,
+                   const Surface::Lanes* absorption, Surface::Lanes* weight);
 };
 
 // For this instruction set, or the plain one if it was not compiled. Does not ask the machine.

@@ -26,14 +26,19 @@ void Shader::find_radiance(const RayHits& hits, float* const radiance[3],
         scratch.surface, scratch.light, hits, snapshot_->environment, radiance);
 }
 
-void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scratch,
-                   const float* openness) const {
+void Shader::take_openness(const RayHits& hits, const float* openness, Scratch& scratch) const {
+    if (!finds_openness()) return;
     if (openness) {
         std::copy_n(openness, hits.count, scratch.light.openness);
-    } else if (finds_openness()) {
+    } else {
         find_surfaces(hits, SurfacePart::smooth, scratch);
         find_openness(hits, scratch, scratch.light.openness);
     }
+}
+
+void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scratch,
+                   const float* openness) const {
+    take_openness(hits, openness, scratch);
     find_surfaces(hits, SurfacePart::all, scratch);
     gather_light(hits, scratch, nullptr);
     find_radiance(hits, radiance, scratch);

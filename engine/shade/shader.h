@@ -40,15 +40,28 @@ public:
         openness_->find(hits, scratch.surface, scratch.shadow, *scratch.openness, openness);
     }
 
+    // Fills scratch.light.openness, if it is wanted: with that, or if it is null by rays of these
+    // hits. These need scratch.surface.
+    void take_openness(const RayHits& hits, const float* openness, Scratch& scratch) const;
+
     // From scratch.surface and scratch.light.
     void find_radiance(const RayHits& hits, float* const radiance[3], const Scratch& scratch) const;
 
-    // All of it: radiance of at most kBatch rays. `openness`: of these rays, if it is known.
+    // Over what find_radiance() says of rays that hit nothing, if there is a sky.
+    bool has_sky() const { return features_ & scene::kSky; }
+    void paint_sky(const RayHits& hits, float* const radiance[3]) const {
+        kernels_->paint_sky(snapshot_->environment.sky, hits, radiance);
+    }
+
+    // All of it but the sky: radiance of at most kBatch rays. `openness`: of these rays, if it is
+    // known.
     void shade(const RayHits& hits, float* const radiance[3], Scratch& scratch,
                const float* openness = nullptr) const;
 
     const LightChoice& light_choice() const { return lighting_.choice(); }
     const Kernels& kernels() const { return *kernels_; }
+    const SurfaceSpace& space() const { return space_; }
+    uint32_t features() const { return features_; }
     Program program() const { return program_; }
 
 private:

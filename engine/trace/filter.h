@@ -21,6 +21,7 @@ struct AlphaTest {
 struct Filter {
     Faces faces = Faces::both;
     bool cull_single_sided = false; // the backs of kSingleSided triangles do not count
+    bool of_light = false;          // which of its tests an instance takes in the place of `alpha`
     uint32_t layer_mask = ~0u;
     uint32_t ignore_mesh = geometry::kNoTriangle; // a slot
     std::span<const uint32_t> ignore_more;        // slots, ascending; none without ignore_mesh

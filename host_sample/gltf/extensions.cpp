@@ -14,8 +14,10 @@ namespace {
 using nlohmann::json;
 
 const std::set<std::string, std::less<>> supported = {
-    "EXT_mesh_gpu_instancing", "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",     "KHR_mesh_quantization", "KHR_texture_transform"};
+    "EXT_mesh_gpu_instancing", "KHR_lights_punctual",    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_specular", "KHR_materials_transmission",
+    "KHR_materials_unlit",     "KHR_materials_volume",   "KHR_mesh_quantization",
+    "KHR_texture_transform"};
 
 // What is seen instead.
 const std::map<std::string, const char*, std::less<>> consequences = {
@@ -28,15 +30,11 @@ const std::map<std::string, const char*, std::less<>> consequences = {
     {"KHR_materials_anisotropy", "highlights are round"},
     {"KHR_materials_clearcoat", "there are no coats"},
     {"KHR_materials_diffuse_transmission", "no light passes such surfaces"},
-    {"KHR_materials_dispersion", "no light passes such surfaces"},
-    {"KHR_materials_ior", "all surfaces reflect as those of an index of 1.5"},
+    {"KHR_materials_dispersion", "all colours are bent alike"},
     {"KHR_materials_iridescence", "there are no thin films"},
     {"KHR_materials_pbrSpecularGlossiness", "such materials show their metallic-roughness values"},
     {"KHR_materials_sheen", "cloth has no sheen"},
-    {"KHR_materials_specular", "all surfaces reflect as those of an index of 1.5"},
-    {"KHR_materials_transmission", "such surfaces are opaque"},
     {"KHR_materials_variants", "the default materials are shown"},
-    {"KHR_materials_volume", "such surfaces are opaque"},
     {"KHR_node_visibility", "all nodes are shown"},
     {"KHR_texture_basisu", "only PNG and JPEG images are read"},
     {"MSFT_lod", "the finest level is shown"},

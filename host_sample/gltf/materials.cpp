@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glass.h"
 #include "textures.h"
 #include "value.h"
 
@@ -10,7 +11,6 @@ namespace host::gltf {
 
 namespace {
 
-constexpr float dielectric_reflectance = 0.04f; // glTF 2.0, appendix B.2
 constexpr float fallback_roughness = 0.7f;
 
 glm::vec3 read_color(const std::vector<double>& values, glm::vec3 otherwise) {
@@ -31,29 +31,33 @@ float highlight_strength(float roughness) {
     return 1.0f - 0.8f * std::min(roughness, 1.0f);
 }
 
-void apply_metallic_roughness(const tinygltf::PbrMetallicRoughness& source, Material& material,
-                              Notes& notes) {
-    float metallic = std::min(to_factor(source.metallicFactor), 1.0f);
-    float roughness = std::min(to_factor(source.roughnessFactor), 1.0f);
-    if (source.metallicRoughnessTexture.index >= 0) {
-        // Its factors default to 1 and mean nothing without it: all would be metal.
-        notes.add("metallic-roughness textures are ignored: such surfaces are rough and not metal");
-        metallic = 0.0f;
-        roughness = fallback_roughness;
-    }
-    const glm::vec3 base(material.base_color);
-    material.specular =
-        glm::mix(glm::vec3(dielectric_reflectance), base, metallic) * highlight_strength(roughness);
-    material.shininess = to_shininess(roughness);
-    // Not to black: there is nothing around that a metal could mirror.
-    material.base_color = glm::vec4(base * (1.0f - 0.5f * metallic), material.base_color.a);
+Surface read_surface(const tinygltf::PbrMetallicRoughness& source, Notes& notes) {
+    if (source.metallicRoughnessTexture.index < 0)
+        return {std::min(to_factor(source.metallicFactor), 1.0f),
+                std::min(to_factor(source.roughnessFactor), 1.0f)};
+    // Its factors default to 1 and mean nothing without it: all would be metal.
+    notes.add("metallic-roughness textures are ignored: such surfaces are rough and not metal");
+    return {0.0f, fallback_roughness};
 }
 
-void apply_alpha(const tinygltf::Material& source, Material& material, Notes& notes) {
-    material.masked = source.alphaMode != "OPAQUE";
-    material.alpha_cutoff = source.alphaMode == "MASK" ? to_factor(source.alphaCutoff) : 0.5f;
-    if (source.alphaMode == "BLEND")
-        notes.add("blended materials are masked at an alpha of 0.5 instead");
+void apply_metallic_roughness(const Surface& surface, const glm::vec3& dielectric,
+                              Material& material) {
+    const auto [metallic, roughness] = surface;
+    const glm::vec3 base(material.base_color);
+    const glm::vec3 reflectance = glm::mix(dielectric, base, metallic);
+    const float polish = find_polish(surface);
+    material.specular = reflectance * highlight_strength(roughness);
+    material.shininess = to_shininess(roughness);
+    mirror(reflectance * polish, material);
+    // Not to black where it mirrors nothing.
+    const float left = 1.0f - glm::mix(0.5f, 1.0f, polish) * metallic;
+    material.base_color = glm::vec4(base * left, material.base_color.a);
+}
+
+void apply_alpha(const tinygltf::Material& source, Material& material) {
+    material.masked = source.alphaMode == "MASK";
+    material.blended = source.alphaMode == "BLEND";
+    if (material.masked) material.alpha_cutoff = to_factor(source.alphaCutoff);
 }
 
 void apply_emission(const tinygltf::Material& source, Textures& textures, Material& material) {
@@ -73,7 +77,7 @@ void make_unlit(Material& material) {
     material.emissive = glm::vec3(material.base_color);
     material.emissive_texture = material.base_color_texture;
     material.base_color = glm::vec4(0.0f, 0.0f, 0.0f, material.base_color.a);
-    if (!material.masked) material.base_color_texture = {};
+    if (!material.masked && !material.blended) material.base_color_texture = {};
     material.specular = glm::vec3(0.0f);
     material.shininess = 1.0f;
 }
@@ -89,13 +93,15 @@ Material import_material(const tinygltf::Material& source, Textures& textures, N
     material.base_color_texture =
         textures.use(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord,
                      pbr.baseColorTexture.extensions, true);
-    apply_alpha(source, material, notes);
+    apply_alpha(source, material);
     if (source.occlusionTexture.index >= 0) notes.add("occlusion textures are ignored");
     if (find_extension(source.extensions, "KHR_materials_unlit")) {
         make_unlit(material);
         return material;
     }
-    apply_metallic_roughness(pbr, material, notes);
+    const Surface surface = read_surface(pbr, notes);
+    apply_metallic_roughness(surface, read_dielectric(source.extensions, notes), material);
+    apply_transmission(source.extensions, surface, material, notes);
     apply_emission(source, textures, material);
     const tinygltf::NormalTextureInfo& normal = source.normalTexture;
     material.normal_texture = textures.use(normal.index, normal.texCoord, normal.extensions, false);

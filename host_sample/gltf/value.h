@@ -37,6 +37,19 @@ inline glm::dvec2 read_pair(const tinygltf::Value& object, const char* key, glm:
     return {value.Get(0).GetNumberAsDouble(), value.Get(1).GetNumberAsDouble()};
 }
 
+inline glm::dvec3 read_triple(const tinygltf::Value& object, const char* key,
+                              glm::dvec3 otherwise) {
+    if (!object.IsObject() || !object.Has(key)) return otherwise;
+    const tinygltf::Value& value = object.Get(std::string(key));
+    if (!value.IsArray() || value.ArrayLen() != 3) return otherwise;
+    glm::dvec3 triple;
+    for (int i = 0; i < 3; ++i) {
+        if (!value.Get(i).IsNumber()) return otherwise;
+        triple[i] = value.Get(i).GetNumberAsDouble();
+    }
+    return triple;
+}
+
 // A factor of a material: finite and not negative.
 inline float to_factor(double value) {
     if (!std::isfinite(value) || value < 0.0) return 0.0f;

@@ -87,6 +87,14 @@ static void print_looks(void) {
     FIELD(rt_material_desc, normal_texture);
     FIELD(rt_material_desc, emissive_texture);
     FIELD(rt_material_desc, user_data);
+    FIELD(rt_material_desc, reflectivity);
+    FIELD(rt_material_desc, reflection_color);
+    FIELD(rt_material_desc, transmission);
+    FIELD(rt_material_desc, index_of_refraction);
+    FIELD(rt_material_desc, attenuation_color);
+    FIELD(rt_material_desc, attenuation_distance);
+    FIELD(rt_material_desc, thin);
+    FIELD(rt_material_desc, reserved);
 }
 
 static void print_shapes(void) {
@@ -140,6 +148,13 @@ static void print_lights(void) {
     FIELD(rt_environment, ambient);
     FIELD(rt_environment, background);
     FIELD(rt_environment, reserved);
+    FIELD(rt_environment, sky);
+    FIELD(rt_environment, zenith);
+    FIELD(rt_environment, horizon);
+    FIELD(rt_environment, ground);
+    FIELD(rt_environment, sky_texture);
+    FIELD(rt_environment, sky_intensity);
+    FIELD(rt_environment, sky_rotation);
 }
 
 static void print_commit(void) {
@@ -415,6 +430,8 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, edge_budget);
     FIELD(rt_frame_desc, render_width);
     FIELD(rt_frame_desc, render_height);
+    FIELD(rt_frame_desc, max_depth);
+    FIELD(rt_frame_desc, least_importance);
     FIELD(rt_frame_desc, occlusion_range);
     FIELD(rt_frame_desc, occlusion_samples);
     FIELD(rt_frame_desc, occlusion_block);
@@ -431,6 +448,7 @@ static void print_frame(void) {
     FIELD(rt_frame_stats, reserved);
     FIELD(rt_frame_stats, rays_edge);
     FIELD(rt_frame_stats, light_points);
+    FIELD(rt_frame_stats, rays_bounced);
     FIELD(rt_frame_stats, rays_occlusion);
     FIELD(rt_frame_stats, occlusion_points);
     STRUCT(rt_governor);

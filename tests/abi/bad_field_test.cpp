@@ -112,6 +112,12 @@ TEST_F(BadField, MaterialFloats) {
         AT(M, specular[2]),
         AT(M, shininess),
         AT(M, normal_scale),
+        AT(M, reflectivity),
+        AT(M, reflection_color[1]),
+        AT(M, transmission),
+        AT(M, index_of_refraction),
+        AT(M, attenuation_color[2]),
+        AT(M, attenuation_distance),
         AT(M, base_color_texture.transform[0]),
         AT(M, base_color_texture.transform[5]),
         AT(M, normal_texture.transform[2]),
@@ -130,7 +136,7 @@ TEST_F(BadField, MaterialFloats) {
 TEST_F(BadField, Material) {
     using C = Case<rt_material_desc>;
     const C cases[] = {
-        {[](auto& d) { d.alpha_mode = 2; }, RT_ERROR_INVALID_ARGUMENT, "alpha_mode is 2"},
+        {[](auto& d) { d.alpha_mode = 3; }, RT_ERROR_INVALID_ARGUMENT, "alpha_mode is 3"},
         {[](auto& d) { d.alpha_mode = -1; }, RT_ERROR_INVALID_ARGUMENT, "alpha_mode is -1"},
         {[](auto& d) { d.base_color[1] = -0.5f; }, RT_ERROR_INVALID_ARGUMENT,
          "rt_material_desc.base_color[1] is -0.5"},
@@ -141,6 +147,23 @@ TEST_F(BadField, Material) {
          "rt_material_desc.normal_texture.texcoord_set is 2"},
         {[](auto& d) { d.emissive_texture.reserved = 3; }, RT_ERROR_INVALID_ARGUMENT,
          "rt_material_desc.emissive_texture.reserved is 3"},
+        {[](auto& d) { d.reflectivity = 1.01f; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.reflectivity is 1.01; it must be 0 to 1"},
+        {[](auto& d) { d.reflection_color[1] = 2; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.reflection_color is 2"},
+        {[](auto& d) { d.transmission = -0.5f; }, RT_ERROR_INVALID_ARGUMENT,
+         "transmission is -0.5"},
+        {[](auto& d) { d.index_of_refraction = 0.9f; }, RT_ERROR_INVALID_ARGUMENT,
+         "index_of_refraction is 0.9; it must be 0 or from 1 to 10"},
+        {[](auto& d) { d.index_of_refraction = 11; }, RT_ERROR_INVALID_ARGUMENT,
+         "index_of_refraction is 11"},
+        {[](auto& d) { d.attenuation_color[0] = 1.5f; }, RT_ERROR_INVALID_ARGUMENT,
+         "attenuation_color is 1.5"},
+        {[](auto& d) { d.attenuation_distance = -1; }, RT_ERROR_INVALID_ARGUMENT,
+         "attenuation_distance is -1"},
+        {[](auto& d) { d.thin = 2; }, RT_ERROR_INVALID_ARGUMENT, "rt_material_desc.thin is 2"},
+        {[](auto& d) { d.reserved = 1; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.reserved is 1"},
     };
     for (const C& c : cases) {
         rt_material_desc desc = rt_default_material_desc();
@@ -207,7 +230,9 @@ TEST_F(BadField, Light) {
 
 TEST_F(BadField, Environment) {
     using E = rt_environment;
-    const size_t offsets[] = {AT(E, ambient[0]), AT(E, ambient[2]), AT(E, background[1])};
+    const size_t offsets[] = {AT(E, ambient[0]),    AT(E, ambient[2]),  AT(E, background[1]),
+                              AT(E, zenith[0]),     AT(E, horizon[1]),  AT(E, ground[2]),
+                              AT(E, sky_intensity), AT(E, sky_rotation)};
     spoil_floats<E>(rt_default_environment(), offsets, [&](const E& bad) {
         expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
                        "rt_environment.");
@@ -216,6 +241,18 @@ TEST_F(BadField, Environment) {
     bad.reserved = 2;
     expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
                    "rt_environment.reserved");
+    bad.reserved = 0;
+    for (const int32_t sky : {-1, 3}) {
+        bad.sky = sky;
+        expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
+                       "rt_environment.sky is ");
+    }
+    bad.sky = RT_SKY_TEXTURE;
+    expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_HANDLE,
+                   "rt_environment.sky_texture");
+    bad.sky_intensity = -1;
+    expect_refused(rt_set_environment(scene(), &bad), RT_ERROR_INVALID_ARGUMENT,
+                   "rt_environment.sky_intensity is -1");
 }
 
 TEST_F(BadField, Commit) {

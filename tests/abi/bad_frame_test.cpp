@@ -115,6 +115,16 @@ TEST_F(BadFrame, Approximations) {
     }
 }
 
+TEST_F(BadFrame, Bounces) {
+    using D = rt_frame_desc;
+    refuse_frame([](D& d) { d.max_depth = 17; }, RT_ERROR_LIMIT,
+                 "rt_frame_desc.max_depth is 17; at most 16 is supported");
+    refuse_frame([](D& d) { d.max_depth = ~0u; }, RT_ERROR_LIMIT, "max_depth");
+    for (const float value : {-0.1f, 1.1f, kNan, kInfinity})
+        refuse_frame([&](D& d) { d.least_importance = value; }, RT_ERROR_INVALID_ARGUMENT,
+                     "rt_frame_desc.least_importance");
+}
+
 TEST_F(BadFrame, Occlusion) {
     constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
     using D = rt_frame_desc;

@@ -42,6 +42,7 @@ std::string run_door(const Options& options);
 std::string run_trace(const Options& options);
 std::string run_moving(const Options& options);
 std::string run_grenade(const Options& options);
+std::string run_glass(const Options& options);
 std::string run_falloff(const Options& options);
 std::string run_kernels(const Options& options);
 std::string run_lamps(const Options& options);

@@ -176,11 +176,12 @@ int run(int argc, char** argv) {
     CLI::App* grenade = app.add_subcommand("grenade", "how far a game's time step changes a throw");
     CLI::App* falloff = app.add_subcommand("falloff", "fall-offs of lamps: error and time");
     CLI::App* lamps = app.add_subcommand("lamps", "few and many lamps over a level");
+    CLI::App* glass = app.add_subcommand("glass", "mirrors and glass, by the depth of paths");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
-    for (CLI::App* command : {falloff, kernels}) add_output_options(*command, options);
+    for (CLI::App* command : {falloff, kernels, glass}) add_output_options(*command, options);
     for (CLI::App* command : {build, frame, prices, door, trace, moving, queries, grenade, lamps})
         add_options(*command, options);
-    for (CLI::App* command : {build, frame, prices, door, trace, moving, grenade, lamps})
+    for (CLI::App* command : {build, frame, prices, door, trace, moving, grenade, lamps, glass})
         add_threads_option(*command, options);
     add_trace_options(*trace, options);
     add_query_options(*queries, options);
@@ -201,7 +202,10 @@ int run(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1000.0));
     add_prices_options(*prices, options);
-    for (CLI::App* command : {frame, prices, door, trace, moving, queries, grenade, falloff, lamps})
+    add_size_option(*glass, options);
+    glass->add_option("--pictures", options.pictures, "Write a picture each to this folder");
+    for (CLI::App* command :
+         {frame, prices, door, trace, moving, queries, grenade, falloff, lamps, glass})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
@@ -215,6 +219,7 @@ int run(int argc, char** argv) {
                              : *grenade ? peregrine::bench::run_grenade(options)
                              : *falloff ? peregrine::bench::run_falloff(options)
                              : *kernels ? peregrine::bench::run_kernels(options)
+                             : *glass   ? peregrine::bench::run_glass(options)
                              : *lamps   ? peregrine::bench::run_lamps(options)
                              : *queries ? peregrine::bench::run_queries(options)
                                         : peregrine::bench::run_door(options);

@@ -172,12 +172,20 @@ private:
 
     rt_material_desc material() {
         rt_material_desc desc = rt_default_material_desc();
-        desc.alpha_mode = rt_alpha_mode(random_.below(2));
+        desc.alpha_mode = rt_alpha_mode(random_.below(3));
         desc.double_sided = random_.below(2);
         for (float& c : desc.base_color) c = random_.unit() * 2;
         for (float& c : desc.emissive) c = random_.one_in(3) ? random_.unit() : 0;
         for (float& c : desc.specular) c = random_.one_in(3) ? random_.unit() : 0;
         desc.shininess = 1 + 50 * random_.unit();
+        if (random_.one_in(3)) desc.reflectivity = random_.unit();
+        if (random_.one_in(3)) {
+            desc.transmission = random_.unit();
+            desc.index_of_refraction = 1 + random_.unit();
+            desc.attenuation_distance = random_.unit();
+            for (float& c : desc.attenuation_color) c = random_.unit();
+            desc.thin = random_.below(2);
+        }
         for (rt_texture_use* use :
              {&desc.base_color_texture, &desc.normal_texture, &desc.emissive_texture}) {
             if (random_.one_in(2)) continue;
@@ -284,6 +292,10 @@ private:
     void set_environment() {
         rt_environment environment = rt_default_environment();
         for (float& c : environment.background) c = random_.number();
+        environment.sky = rt_sky(random_.below(3));
+        for (float& c : environment.zenith) c = random_.unit();
+        environment.sky_texture = random_.pick(textures_);
+        environment.sky_rotation = random_.number();
         spoil(environment, 4);
         check(rt_set_environment(scene_, &environment));
     }
@@ -320,6 +332,7 @@ private:
         frame.light_block = random_.below(3) * 4;
         frame.texture_filter = rt_texture_filter(random_.below(2));
         frame.edge_samples = random_.below(6);
+        frame.max_depth = random_.below(6);
         if (random_.one_in(2)) frame.occlusion_range = std::fabs(random_.number());
         frame.occlusion_samples = random_.below(24);
         frame.occlusion_block = random_.below(3) * 4;

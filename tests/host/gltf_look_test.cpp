@@ -107,9 +107,11 @@ TEST(GltfLook, AlphaModes) {
     const Level level = import(builder);
     EXPECT_TRUE(level.materials[0].masked);
     EXPECT_FLOAT_EQ(level.materials[0].alpha_cutoff, 0.3f);
-    EXPECT_TRUE(level.materials[1].masked && level.materials[1].double_sided);
-    EXPECT_FALSE(level.materials[2].masked || level.materials[2].double_sided);
-    EXPECT_EQ(level.notes.size(), 1u);
+    EXPECT_TRUE(level.materials[1].blended && level.materials[1].double_sided);
+    EXPECT_FALSE(level.materials[0].blended || level.materials[1].masked);
+    EXPECT_FALSE(level.materials[2].masked || level.materials[2].blended
+                 || level.materials[2].double_sided);
+    EXPECT_TRUE(level.notes.empty());
 }
 
 TEST(GltfLook, UnlitAndEmissiveStrength) {
@@ -168,6 +170,67 @@ TEST(GltfLook, MetalsAreDarkAndShiny) {
     EXPECT_GT(level.materials[0].shininess, level.materials[1].shininess);
     EXPECT_LT(level.materials[0].base_color.r, level.materials[1].base_color.r);
     EXPECT_EQ(level.materials[1].shininess, 1.0f);
+}
+
+TEST(GltfLook, SmoothMetalsMirror) {
+    GltfBuilder builder = make_quad();
+    const auto add = [&](double metallic, double roughness) {
+        builder.push("materials", {{"pbrMetallicRoughness",
+                                    {{"baseColorFactor", {0.5, 1, 0.25, 1}},
+                                     {"metallicFactor", metallic},
+                                     {"roughnessFactor", roughness}}}});
+    };
+    add(1, 0);
+    add(1, 0.125);
+    add(1, 0.25);
+    add(0, 0);
+    add(0, 0.1);
+    const Level level = import(builder);
+    EXPECT_EQ(level.materials[0].reflectivity, 1.0f);
+    EXPECT_EQ(level.materials[0].reflection_color, glm::vec3(0.5f, 1, 0.25f));
+    EXPECT_EQ(glm::vec3(level.materials[0].base_color), glm::vec3(0));
+    EXPECT_EQ(level.materials[1].reflectivity, 0.5f);
+    EXPECT_EQ(level.materials[2].reflectivity, 0.0f);
+    EXPECT_EQ(glm::vec3(level.materials[2].base_color), glm::vec3(0.25f, 0.5f, 0.125f));
+    EXPECT_FLOAT_EQ(level.materials[3].reflectivity, 0.04f);
+    EXPECT_EQ(level.materials[4].reflectivity, 0.0f);
+}
+
+TEST(GltfLook, GlassAndPanes) {
+    GltfBuilder builder = make_quad();
+    builder.json["materials"] = {
+        {{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0}}},
+         {"extensions",
+          {{"KHR_materials_transmission", {{"transmissionFactor", 0.9}}},
+           {"KHR_materials_ior", {{"ior", 1.33}}},
+           {"KHR_materials_volume",
+            {{"thicknessFactor", 1},
+             {"attenuationColor", {0.5, 0.75, 2}},
+             {"attenuationDistance", 3}}}}}},
+        {{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.5}}},
+         {"extensions",
+          {{"KHR_materials_transmission",
+            {{"transmissionFactor", 1}, {"transmissionTexture", {{"index", 0}}}}},
+           {"KHR_materials_ior", {{"ior", 0}}},
+           {"KHR_materials_volume", Json::object()}}}},
+        {{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0}}},
+         {"extensions",
+          {{"KHR_materials_specular",
+            {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 100}}}}}}}};
+    const Level level = import(builder);
+    const Material& glass = level.materials[0];
+    EXPECT_FLOAT_EQ(glass.transmission, 0.9f);
+    EXPECT_FLOAT_EQ(glass.index_of_refraction, 1.33f);
+    EXPECT_FALSE(glass.thin);
+    EXPECT_EQ(glass.attenuation_color, glm::vec3(0.5f, 0.75f, 1));
+    EXPECT_EQ(glass.attenuation_distance, 3.0f);
+    EXPECT_EQ(glass.reflectivity, 0.0f);
+    EXPECT_TRUE(level.materials[1].thin);
+    EXPECT_EQ(level.materials[1].index_of_refraction, 10.0f);
+    EXPECT_EQ(level.notes.size(), 2u) << "a texture, and rough glass";
+    EXPECT_FLOAT_EQ(level.materials[2].reflectivity, 0.5f);
+    EXPECT_NEAR(level.materials[2].reflection_color.x, 0.04f, 1e-6f);
+    EXPECT_NEAR(level.materials[2].reflection_color.y, 0.02f, 1e-6f);
 }
 
 } // namespace

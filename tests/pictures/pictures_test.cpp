@@ -1,7 +1,7 @@
 // Frames that stay as they are, bit for bit: with every instruction set and number of threads.
 #include "feature_scene.h"
 #include "golden.h"
-#include "support/frame_look.h"
+#include "variants.h"
 
 #include "animation/player.h"
 #include "camera.h"
@@ -10,8 +10,6 @@
 #include "upload.h"
 
 #include <cstring>
-#include <memory>
-#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -20,77 +18,6 @@ namespace peregrine::test {
 namespace {
 
 constexpr glm::dvec3 kFarAway(12345678.25, 1500.5, -7654321.75);
-
-struct Variant {
-    const char* name;
-    rt_isa isa;
-    uint32_t threads;
-    bool proofs = false; // made by each commit
-};
-// Those that this processor may have.
-constexpr Variant kVariants[] = {
-    {"scalar", RT_ISA_SCALAR, 1},
-    {"scalar_3_threads", RT_ISA_SCALAR, 3},
-    {"scalar_proved", RT_ISA_SCALAR, 1, true},
-#if defined(__aarch64__)
-    {"neon", RT_ISA_NEON, 1},
-    {"neon_3_threads", RT_ISA_NEON, 3},
-    {"neon_proved", RT_ISA_NEON, 1, true},
-#else
-    {"sse4", RT_ISA_SSE4, 1},
-    {"sse4_3_threads", RT_ISA_SSE4, 3},
-    {"sse4_proved", RT_ISA_SSE4, 1, true},
-    {"avx2", RT_ISA_AVX2, 1},
-    {"avx2_3_threads", RT_ISA_AVX2, 3},
-    {"avx2_proved", RT_ISA_AVX2, 3, true},
-    {"avx512", RT_ISA_AVX512, 1},
-    {"avx512_3_threads", RT_ISA_AVX512, 3},
-    {"avx512_proved", RT_ISA_AVX512, 1, true},
-#endif
-};
-
-void PrintTo(const Variant& variant, std::ostream* out) {
-    *out << variant.name;
-}
-
-bool machine_has(rt_isa isa) {
-    rt_scene_desc desc = rt_default_scene_desc();
-    desc.isa = isa;
-    rt_scene scene;
-    if (rt_create_scene(&desc, &scene) != RT_OK) return false;
-    rt_destroy_scene(scene);
-    return true;
-}
-
-rt_frame_desc frame_of(uint32_t width, uint32_t height,
-                       rt_pixel_format format = RT_FORMAT_RGBA8_SRGB) {
-    rt_frame_desc frame = rt_default_frame_desc();
-    frame.width = width;
-    frame.height = height;
-    frame.format = format;
-    set_options(Look::exact, frame);
-    return frame;
-}
-
-Picture blank(const rt_frame_desc& frame, uint32_t units) {
-    const size_t bytes = size_t(frame.width) * frame.height * units * 4;
-    return {frame.width, frame.height, units, std::vector<uint8_t>(bytes, 0xcd)};
-}
-
-void render(const host::Stage& stage, const rt_camera& camera, const rt_frame_desc& frame) {
-    stage.check(stage.api().render_frame(stage.scene(), &camera, &frame, nullptr),
-                "rendering a frame");
-}
-
-void expect_pixels(const std::string& name, const std::string& how, const host::Stage& stage,
-                   const rt_camera& camera, rt_frame_desc frame) {
-    Picture picture = blank(frame, frame.format == RT_FORMAT_RGBA32F   ? 4
-                                   : frame.format == RT_FORMAT_RGBA16F ? 2
-                                                                       : 1);
-    frame.pixels = picture.bytes.data();
-    render(stage, camera, frame);
-    expect_golden(name, how, picture);
-}
 
 // With light in blocks.
 rt_frame_desc direct_frame_of(uint32_t width, uint32_t height) {
@@ -122,28 +49,6 @@ void expect_planes(const std::string& name, const std::string& how, const host::
         std::memcpy(&mesh_ids.bytes[4 * i], &meshes.bytes[8 * i], 4);
     expect_golden(name + "_mesh_ids", how, mesh_ids);
 }
-
-class Pictures : public testing::TestWithParam<Variant> {
-protected:
-    void SetUp() override {
-        if (!machine_has(GetParam().isa)) GTEST_SKIP() << "this machine has no " << how();
-        stage_ = std::make_unique<host::Stage>(*rt_get_api(RT_API_VERSION), GetParam().threads,
-                                               GetParam().isa);
-    }
-
-    std::string how() const { return GetParam().name; }
-    void commit() {
-        rt_commit_desc desc = rt_default_commit_desc();
-        if (GetParam().proofs) desc.light_proofs = RT_LIGHT_PROOFS_MADE;
-        stage_->check(stage_->api().commit_scene(stage_->scene(), &desc, nullptr), "building");
-    }
-
-    void expect(const std::string& name, const rt_camera& camera, const rt_frame_desc& frame) {
-        expect_pixels(name, how(), *stage_, camera, frame);
-    }
-
-    std::unique_ptr<host::Stage> stage_;
-};
 
 TEST_P(Pictures, Features) {
     const FeatureScene scene(*stage_, {});
@@ -258,6 +163,9 @@ TEST_P(Pictures, FarAway) {
     FeatureScene scene(*stage_, kFarAway);
     commit();
     expect("far_away", scene.camera(), frame_of(160, 90));
+    rt_frame_desc frame = frame_of(160, 90);
+    frame.occlusion_range = 1.5f;
+    expect("far_away_occlusion", scene.camera(), frame);
     scene.move();
     commit();
     expect("far_away_moved", scene.camera(), frame_of(160, 90));
@@ -291,7 +199,7 @@ TEST_P(Pictures, Mill) {
     expect("mill", host::camera_of(player.follow(level.cameras[0])), frame_of(240, 135));
 }
 
-INSTANTIATE_TEST_SUITE_P(By, Pictures, testing::ValuesIn(kVariants),
+INSTANTIATE_TEST_SUITE_P(By, Pictures, all_variants(),
                          [](const auto& info) { return std::string(info.param.name); });
 
 // What a commit can be asked for changes speed and memory, not a pixel.

@@ -234,7 +234,10 @@ RT_EXPORT rt_result rt_remove_texture(rt_scene scene, rt_texture texture) RT_NOE
 typedef int32_t rt_alpha_mode;
 enum {
     RT_ALPHA_OPAQUE = 0, /* alpha is ignored */
-    RT_ALPHA_MASK = 1    /* the surface is absent where alpha < alpha_cutoff */
+    RT_ALPHA_MASK = 1,   /* the surface is absent where alpha < alpha_cutoff */
+    RT_ALPHA_BLEND = 2   /* alpha is how much of what is behind the surface covers, in frames with a
+                            max_depth, unless it is the hull of a solid. It casts a shadow where it
+                            covers half or more. Queries see all of it */
 };
 
 /* A texture as a material uses it: (u', v') = (m[0] u + m[1] v + m[2], m[3] u + m[4] v + m[5]).
@@ -261,6 +264,19 @@ typedef struct rt_material_desc {
     rt_texture_use normal_texture; /* tangent space, +Y up, stored as 0.5 n + 0.5 */
     rt_texture_use emissive_texture;
     uint64_t user_data; /* handed back by rt_resolve_hits */
+    /* What follows shows in frames with a max_depth. docs/rendering.md has the formulas. */
+    float reflectivity; /* 0 to 1: the part of the light that a mirror gives back head on, and all
+                           of it at a glance (Schlick); 0: no mirror, at no angle */
+    float reflection_color[3]; /* 0 to 1: times reflectivity */
+    float
+        transmission; /* 0 to 1: the part of what is not mirrored that goes through, tinted by the
+                         base colour; the rest is matt. Such a surface mirrors by its index, too */
+    float index_of_refraction;  /* 1 to 10; 0: 1.5 */
+    float attenuation_color[3]; /* 0 to 1: what is left of white light after ... */
+    float attenuation_distance; /* ... so many metres within; >= 0; 0: all of it */
+    uint32_t thin; /* 0: what transmits is the hull of a solid, which bends light, and both sides of
+                      the hull are seen. 1: a sheet, a window pane: light goes straight on */
+    uint32_t reserved; /* 0 */
 } rt_material_desc;
 
 static inline rt_texture_use rt_default_texture_use(void) {
@@ -281,6 +297,9 @@ static inline rt_material_desc rt_default_material_desc(void) {
     desc.base_color_texture = rt_default_texture_use();
     desc.normal_texture = rt_default_texture_use();
     desc.emissive_texture = rt_default_texture_use();
+    desc.reflection_color[0] = desc.reflection_color[1] = desc.reflection_color[2] = 1.0f;
+    desc.index_of_refraction = 1.5f;
+    desc.attenuation_color[0] = desc.attenuation_color[1] = desc.attenuation_color[2] = 1.0f;
     return desc;
 }
 
@@ -488,11 +507,29 @@ RT_EXPORT rt_result rt_update_light(rt_scene scene, rt_light light,
                                     const rt_light_desc* desc) RT_NOEXCEPT;
 RT_EXPORT rt_result rt_remove_light(rt_scene scene, rt_light light) RT_NOEXCEPT;
 
+/* What rays see that leave the scene: those of the camera, and those that mirrors and glass send
+ * on. It gives no light: `ambient` does. */
+typedef int32_t rt_sky;
+enum {
+    RT_SKY_NONE = 0,     /* `background` everywhere */
+    RT_SKY_GRADIENT = 1, /* h = the direction's height, -1 to 1. Upward, h (2 - h) of `zenith` and
+                            the rest of `horizon`; downward, min(-8 h, 1) of `ground` */
+    RT_SKY_TEXTURE = 2 /* an equirectangular image: row 0 is up (+Y), its middle column -Z, what is
+                          right of that +X. It repeats around as its wrap_u says */
+};
+
 typedef struct rt_environment {
     uint32_t struct_size;
     float ambient[3];    /* radiance that reaches every surface from everywhere, >= 0 */
     float background[3]; /* radiance of rays that leave the scene */
     uint32_t reserved;   /* 0 */
+    rt_sky sky;
+    float zenith[3]; /* radiance, >= 0 */
+    float horizon[3];
+    float ground[3];
+    rt_texture sky_texture; /* a commit is refused once it was removed */
+    float sky_intensity;    /* times the sky's radiance, >= 0 */
+    float sky_rotation;     /* of the image about +Y, in radians, counter-clockwise from above */
 } rt_environment;
 
 static inline rt_environment rt_default_environment(void) {
@@ -500,9 +537,11 @@ static inline rt_environment rt_default_environment(void) {
     memset(&environment, 0, sizeof environment);
     environment.struct_size = (uint32_t)sizeof environment;
     environment.ambient[0] = environment.ambient[1] = environment.ambient[2] = 0.1f;
+    environment.sky_intensity = 1.0f;
     return environment;
 }
 
+/* Errors: INVALID_ARGUMENT, INVALID_HANDLE (the texture of RT_SKY_TEXTURE), INVALID_STRUCT. */
 RT_EXPORT rt_result rt_set_environment(rt_scene scene,
                                        const rt_environment* environment) RT_NOEXCEPT;
 
@@ -586,7 +625,11 @@ enum {
     RT_FEATURE_LIGHTS = 1u << 5,
     RT_FEATURE_SHADOWS = 1u << 6,
     RT_FEATURE_DYNAMIC_MESHES = 1u << 7,
-    RT_FEATURE_SINGLE_SIDED = 1u << 8
+    RT_FEATURE_SINGLE_SIDED = 1u << 8,
+    RT_FEATURE_REFLECTION = 1u << 9,
+    RT_FEATURE_TRANSMISSION = 1u << 10,
+    RT_FEATURE_BLENDING = 1u << 11,
+    RT_FEATURE_SKY = 1u << 12
 };
 
 typedef struct rt_commit_report {
@@ -1211,6 +1254,11 @@ typedef struct rt_frame_desc {
     uint32_t render_height; /* enlarged along edges; 0: width, height. Planes and views other than
                                the shaded one are not: with planes, primary rays are traced for
                                both sizes */
+    /* Mirrors and glass: how far a path is followed. What is not traced brings ambient light. */
+    uint32_t max_depth;     /* bounces, at most 16; 0: mirrors and glass are as matt as the rest.
+                               rt_default_frame_desc() has 4 */
+    float least_importance; /* paths end whose light, times exposure, counts for less than this
+                               part; 0 to 1. rt_default_frame_desc() has 1 / 256 */
     /* Ambient occlusion: surfaces get less of rt_environment.ambient, the more rays of a place meet
      * a surface of any mesh. It is of the geometry: normal maps take no part. */
     float occlusion_range; /* metres; what is nearer hides the more, the nearer it is. >= 0, may be
@@ -1233,6 +1281,8 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.depth_range = 50.0f;
     desc.steps_range = 100.0f;
     desc.texture_filter = RT_TEXTURE_MIPMAPS;
+    desc.max_depth = 4;
+    desc.least_importance = 1.0f / 256.0f;
     desc.occlusion_samples = 16;
     desc.occlusion_block = 8;
     desc.occlusion_tolerance = 0.13f;
@@ -1251,6 +1301,7 @@ typedef struct rt_frame_stats {
     uint32_t reserved;
     uint64_t rays_edge;      /* beside one a pixel, for edges; not in rays_primary */
     uint64_t light_points;   /* of pixels and edge rays: where light was found, not interpolated */
+    uint64_t rays_bounced;   /* that mirrors and glass sent on */
     uint64_t rays_occlusion; /* for ambient occlusion; not in rays_shadow */
     uint64_t occlusion_points; /* of pixels: where it was found, not interpolated */
 } rt_frame_stats;

@@ -1,5 +1,6 @@
 #include "render/post/edge_rays.h"
 
+#include "render/bounces.h"
 #include "render/film.h"
 #include "render/post/kernels.h"
 #include "render/post/shown.h"
@@ -35,10 +36,7 @@ public:
         make_rays();
         const uint32_t ray_count = count_ * pattern_.count;
         trace_rays_from_eye(plan_, buffers_, ray_count, nullptr);
-        buffers_.for_each_batch(ray_count, [&](shade::RayHits hits, uint32_t first) {
-            hits.footprint /= std::sqrt(float(pattern_.count + 1)); // a part of the pixel's
-            plan_.shader.shade(hits, buffers_.colors_from(first).channel, buffers_.scratch);
-        });
+        shade(ray_count);
         const auto to_shown = kernels(plan_.snapshot.isa()).to_shown;
         for (float* const channel : buffers_.colors.channel)
             to_shown(plan_.frame.tone_mapping, plan_.frame.exposure, channel, ray_count, channel);
@@ -62,6 +60,18 @@ private:
             }
         for (auto& lanes : buffers_.direction)
             std::fill_n(lanes + ray, kTilePadded - kTileRays, lanes[ray - 1]);
+    }
+
+    void shade(uint32_t ray_count) {
+        const float part = std::sqrt(float(pattern_.count + 1)); // of the pixel
+        if (buffers_.paths)
+            return shade_rays_and_follow(plan_, buffers_, ray_count, 1 / part, nullptr);
+        buffers_.for_each_batch(ray_count, [&](shade::RayHits hits, uint32_t first) {
+            hits.footprint /= part;
+            const TileBuffers::Channels colors = buffers_.colors_from(first);
+            plan_.shader.shade(hits, colors.channel, buffers_.scratch);
+            if (plan_.shader.has_sky()) plan_.shader.paint_sky(hits, colors.channel);
+        });
     }
 
     // Of display values, which is how the eye will mix them.

@@ -18,7 +18,8 @@ void ShadowMemory::initialize() {
 
 Shadows::Shadows(const scene::Snapshot& snapshot, const SurfaceSpace& space)
     : snapshot_(&snapshot), space_(space) {
-    filter_.alpha = scene::alpha_test(snapshot);
+    filter_.alpha = scene::light_test(snapshot);
+    filter_.of_light = true;
 }
 
 // Whether a moving thing's box is in the way of that of all segments.

@@ -15,9 +15,9 @@ namespace peregrine::shade::HWY_NAMESPACE {
 HWY_INLINE void tint(const MaterialLook::Sampled& sampled, const math::Vec3& color,
                      bool by_footprint, Run span, Surface& surface, Surface::Lanes* out) {
     if (!sampled.texture) return fill(color, span, out);
-    sample_texture(sampled, surface, by_footprint, span, [&](uint32_t i, const V3& texel) HWY_ATTR {
-        store(multiply(texel, splat(color)), out, i);
-    });
+    sample_texture(sampled, surface, by_footprint, span,
+                   [&](uint32_t i, const V3& texel, Vf)
+                       HWY_ATTR { store(multiply(texel, splat(color)), out, i); });
 }
 
 // Of neighbouring rays that see one material.

@@ -44,17 +44,18 @@ HWY_INLINE void find_tangents(const TriangleShading& triangle, const RayHits& hi
 HWY_INLINE void map_normals(const MaterialLook& look, bool by_footprint, Run span, Surface& out) {
     const Vf bump = splat(look.material->normal_scale);
     const Vf one = splat(1.0f), two = splat(2.0f);
-    sample_texture(look.normal, out, by_footprint, span, [&](uint32_t i, const V3& texel) HWY_ATTR {
-        const V3 geometric = load(out.geometric, i);
-        const V3 n = normalize(load(out.normal, i), geometric);
-        const V3 raw = load(out.tangent, i);
-        const V3 t = normalize(subtract(raw, scale(n, dot(raw, n))), geometric);
-        const V3 b = flip(cross(n, t), hn::LoadU(kF, out.side + i));
-        const Vf x = hn::Mul(hn::Sub(hn::Mul(texel.x, two), one), bump);
-        const Vf y = hn::Mul(hn::Sub(hn::Mul(texel.y, two), one), bump);
-        const Vf z = hn::Sub(hn::Mul(texel.z, two), one);
-        store(add(add(scale(t, x), scale(b, y)), scale(n, z)), out.normal, i);
-    });
+    sample_texture(look.normal, out, by_footprint, span,
+                   [&](uint32_t i, const V3& texel, Vf) HWY_ATTR {
+                       const V3 geometric = load(out.geometric, i);
+                       const V3 n = normalize(load(out.normal, i), geometric);
+                       const V3 raw = load(out.tangent, i);
+                       const V3 t = normalize(subtract(raw, scale(n, dot(raw, n))), geometric);
+                       const V3 b = flip(cross(n, t), hn::LoadU(kF, out.side + i));
+                       const Vf x = hn::Mul(hn::Sub(hn::Mul(texel.x, two), one), bump);
+                       const Vf y = hn::Mul(hn::Sub(hn::Mul(texel.y, two), one), bump);
+                       const Vf z = hn::Sub(hn::Mul(texel.z, two), one);
+                       store(add(add(scale(t, x), scale(b, y)), scale(n, z)), out.normal, i);
+                   });
 }
 
 } // namespace peregrine::shade::HWY_NAMESPACE

@@ -40,7 +40,7 @@ template <class Use>
 HWY_INLINE void hand_on(const float* rgba, Vf scale_by, uint32_t i, Use&& use) {
     Vf r, g, b, a;
     hn::LoadInterleaved4(kF, rgba, r, g, b, a);
-    use(i, scale(V3{r, g, b}, scale_by));
+    use(i, scale(V3{r, g, b}, scale_by), hn::Mul(a, scale_by));
 }
 
 // Each vector's texels are asked for while the previous one is filtered.
@@ -93,7 +93,7 @@ HWY_INLINE void sample_by_footprint(const SampledTexture& sampled, Use&& use) {
     }
 }
 
-// Calls use(i, colour) for each vector i of the span's rays.
+// Calls use(i, colour, alpha) for each vector i of the span's rays.
 template <class Use>
 HWY_INLINE void sample_texture(const MaterialLook::Sampled& sampled, const Surface& surface,
                                bool by_footprint, Run span, Use&& use) {

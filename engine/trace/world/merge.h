@@ -23,7 +23,7 @@ inline Filter filter_within(const Filter& filter, const Instance& instance) {
     within.layer_mask = ~0u;
     within.ignore_mesh = geometry::kNoTriangle;
     within.ignore_more = {};
-    if (filter.alpha.present) within.alpha = instance.alpha;
+    if (filter.alpha.present) within.alpha = filter.of_light ? instance.light : instance.alpha;
     return within;
 }
 
