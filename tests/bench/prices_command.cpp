@@ -32,6 +32,8 @@ struct Setting {
     rt_texture_filter filter = RT_TEXTURE_FINEST;
     uint32_t light_block = 1;
     float least_light = 0;
+    uint32_t occlusion_block = 0; // 0: no occlusion
+    uint32_t occlusion_samples = 16;
 
     // Cheaper light is not meant to be nearer to the truth than one ray a pixel, but to that.
     bool is_light() const { return light_block > 1 || least_light > 0; }
@@ -56,7 +58,14 @@ constexpr Setting kSettings[] = {
     {.name = "least light 0.5", .least_light = 0.5f},
     {.name = "least light 2", .least_light = 2},
     {.name = "least light 8", .least_light = 8},
+    {.name = "occlusion", .occlusion_block = 1},
+    {.name = "occlusion, blocks of 4", .occlusion_block = 4},
+    {.name = "occlusion, blocks of 8", .occlusion_block = 8},
+    {.name = "occlusion, blocks of 16", .occlusion_block = 16},
 };
+constexpr Setting kFineOcclusion = {
+    .name = "occlusion, 256 rays", .occlusion_block = 1, .occlusion_samples = 256};
+constexpr float kOcclusionRange = 1.0f; // metres
 constexpr float kLightTolerance = 0.03f;
 
 double to_linear(uint8_t code) {
@@ -118,7 +127,8 @@ Image enlarge_bilinearly(const Image& small, const ImageSize& size) {
 }
 
 struct Price {
-    double ms = 0, edge_rays = 0, shadow_rays = 0, flip_mean = 0, flip_worst_tile = 0;
+    double ms = 0, edge_rays = 0, shadow_rays = 0, occlusion_rays = 0, flip_mean = 0,
+           flip_worst_tile = 0;
 };
 
 class Pricing {
@@ -136,8 +146,14 @@ public:
                 shrink(render({.name = "", .scale = float(kSamples)}, view).image, kSamples);
             write("truth", view, truth);
             const Image one_ray = render(kSettings[0], view).image;
+            const Image fine_occlusion = render(kFineOcclusion, view).image;
+            write(kFineOcclusion.name, view, fine_occlusion);
             for (size_t i = 0; i < sums.size(); ++i)
-                add(kSettings[i], view, kSettings[i].is_light() ? one_ray : truth, sums[i]);
+                add(kSettings[i], view,
+                    kSettings[i].occlusion_block > 0 ? fine_occlusion
+                    : kSettings[i].is_light()        ? one_ray
+                                                     : truth,
+                    sums[i]);
         }
         nlohmann::json rows = nlohmann::json::array();
         for (size_t i = 0; i < sums.size(); ++i) rows.push_back(row_of(kSettings[i], sums[i]));
@@ -147,7 +163,7 @@ public:
 private:
     struct Result {
         Image image;
-        double ms, edge_rays, shadow_rays;
+        double ms, edge_rays, shadow_rays, occlusion_rays;
     };
 
     // A scale above 1 is a larger frame.
@@ -165,6 +181,9 @@ private:
         frame.light_tolerance = kLightTolerance;
         frame.least_light = setting.least_light;
         frame.texture_filter = setting.filter;
+        frame.occlusion_range = setting.occlusion_block > 0 ? kOcclusionRange : 0;
+        frame.occlusion_block = setting.occlusion_block;
+        frame.occlusion_samples = setting.occlusion_samples;
         frame.render_width = traced.width;
         frame.render_height = traced.height;
         std::vector<double> ms;
@@ -177,7 +196,7 @@ private:
         Image image{whole, std::move(memory.pixels)};
         if (setting.bilinear) image = enlarge_bilinearly(image, size_);
         return {std::move(image), median(ms), double(rendered.stats.rays_edge),
-                double(rendered.stats.rays_shadow)};
+                double(rendered.stats.rays_shadow), double(rendered.stats.rays_occlusion)};
     }
 
     void add(const Setting& setting, size_t view, const Image& truth, Price& sum) const {
@@ -189,6 +208,7 @@ private:
         sum.ms += result.ms / views;
         sum.edge_rays += result.edge_rays / views;
         sum.shadow_rays += result.shadow_rays / views;
+        sum.occlusion_rays += result.occlusion_rays / views;
         sum.flip_mean += error.mean() / views;
         sum.flip_worst_tile = std::max(sum.flip_worst_tile, error.worst_tile(kErrorTile));
     }
@@ -203,9 +223,9 @@ private:
     }
 
     nlohmann::json row_of(const Setting& setting, const Price& price) const {
-        std::printf("%-16s %-19s %8.1f %10.0f %10.0f %8.4f %8.3f\n", name_.c_str(), setting.name,
-                    price.ms, price.edge_rays, price.shadow_rays, price.flip_mean,
-                    price.flip_worst_tile);
+        std::printf("%-16s %-23s %8.1f %10.0f %10.0f %10.0f %8.4f %8.3f\n", name_.c_str(),
+                    setting.name, price.ms, price.edge_rays, price.shadow_rays,
+                    price.occlusion_rays, price.flip_mean, price.flip_worst_tile);
         return {{"scene", name_},
                 {"setting", setting.name},
                 {"size", size_.text()},
@@ -213,6 +233,7 @@ private:
                 {"frame_ms", price.ms},
                 {"rays_edge", price.edge_rays},
                 {"rays_shadow", price.shadow_rays},
+                {"rays_occlusion", price.occlusion_rays},
                 {"flip_mean", price.flip_mean},
                 {"flip_worst_tile", price.flip_worst_tile}};
     }
@@ -230,10 +251,11 @@ private:
 std::string run_prices(const Options& options) {
     const host::Plugin plugin(options.library);
     std::printf("%s a frame, mean of the scene's cameras; FLIP against %u rays a pixel (cheaper "
-                "light: against one)\n"
-                "%-16s %-19s %8s %10s %10s %8s %8s\n",
-                options.threads == 1 ? "processor time" : "wall time", kSamples * kSamples, "scene",
-                "setting", "ms", "edge rays", "shadow", "flip", "tile");
+                "light: against one; occlusion: against one with %u rays of it)\n"
+                "%-16s %-23s %8s %10s %10s %10s %8s %8s\n",
+                options.threads == 1 ? "processor time" : "wall time", kSamples * kSamples,
+                kFineOcclusion.occlusion_samples, "scene", "setting", "ms", "edge rays", "shadow",
+                "occlusion", "flip", "tile");
     nlohmann::json rows = nlohmann::json::array();
     for (const std::string& file : options.scenes)
         for (nlohmann::json& row : Pricing(options, plugin.api(), file).run())

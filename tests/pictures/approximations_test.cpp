@@ -92,7 +92,7 @@ TEST_P(Approximations, OcclusionInBlocksIsNearThatOfEachPixel) {
         for (const uint32_t block : {4u, 8u, 16u}) {
             options.occlusion_block = block;
             const FlipMap error = compare(exact, draw(camera, options));
-            EXPECT_LE(error.mean(), kMostMean / 2);
+            EXPECT_LE(error.mean(), kMostMean);
             EXPECT_LE(error.worst_tile(32), kMostTile / 2);
             EXPECT_LT(stats_.rays_occlusion, exact_rays);
         }
