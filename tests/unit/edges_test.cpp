@@ -12,8 +12,8 @@ namespace peregrine::render {
 namespace {
 
 using math::Vec3;
-using test::Picture;
 using test::glowing;
+using test::Picture;
 using test::RenderScene;
 using test::take_picture;
 
