@@ -55,7 +55,7 @@ With --view-only:
   W A S D          move; Shift runs
   Space, Ctrl      up and down while flying
   F                fly or walk
-  C, V             next camera, next view (shaded, normals, depth, steps)
+  C, V             next camera, next view (shaded, normals, depth, steps, light, occlusion)
   P, F12           write a screenshot
   Esc              release the mouse; pressed again, quit
 

@@ -34,7 +34,7 @@ def walk(host, out):
     host.wait_for(lambda: difference(host.screen(), walked) > 10, 60, "V to change the view")
     host.wait_for(lambda: "normals" in host.title(), 60, "the view in the title")
     host.screen().save(out / "3_normals.png")
-    for view in ("depth", "steps", "light", "shaded"):
+    for view in ("depth", "steps", "light", "occlusion", "shaded"):
         host.press("v")
         host.wait_for(lambda: view in host.title(), 60, "the view " + view)
     host.press("c")
