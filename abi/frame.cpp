@@ -111,6 +111,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     frame.shadows = in.no_shadows == 0;
     frame.approximations = to_approximations(in);
     frame.bounces = to_bounces(in);
+    frame.bloom = to_bloom(in);
     return frame;
 }
 

@@ -24,6 +24,12 @@ uint32_t to_side(uint32_t side, uint32_t whole, const char* field) {
     return side == 0 ? whole : side;
 }
 
+void require_part(float part, const char* field) {
+    if (!(part >= 0 && part <= 1))
+        base::fail(base::Code::invalid_argument, "%s is %g; it must be 0 to 1", field,
+                   double(part));
+}
+
 } // namespace
 
 render::Approximations to_approximations(const rt_frame_desc& in) {
@@ -49,11 +55,16 @@ render::Bounces to_bounces(const rt_frame_desc& in) {
     if (in.max_depth > render::kMostDepth)
         base::fail(base::Code::limit, "rt_frame_desc.max_depth is %u; at most %u is supported",
                    in.max_depth, render::kMostDepth);
-    if (!(in.least_importance >= 0 && in.least_importance <= 1))
-        base::fail(base::Code::invalid_argument,
-                   "rt_frame_desc.least_importance is %g; it must be 0 to 1",
-                   double(in.least_importance));
+    require_part(in.least_importance, "rt_frame_desc.least_importance");
     return {in.max_depth, in.least_importance};
+}
+
+render::Bloom to_bloom(const rt_frame_desc& in) {
+    require_part(in.bloom, "rt_frame_desc.bloom");
+    require_least_zero(in.bloom_threshold, "rt_frame_desc.bloom_threshold");
+    require_part(in.bloom_radius, "rt_frame_desc.bloom_radius");
+    require_zero(in.reserved, "rt_frame_desc.reserved");
+    return {in.bloom, in.bloom_threshold, in.bloom_radius};
 }
 
 } // namespace peregrine::abi

@@ -168,6 +168,9 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
         ->check(CLI::Range(0.0f, 1e3f));
     app.add_flag("--light-proofs", options.light_proofs,
                  "with --view-only: prove once what standing lamps see of the level (seconds)");
+    app.add_option("--bloom", options.bloom,
+                   "with --view-only or --headless: the part of what is too bright that glows [0]")
+        ->check(CLI::Range(0.0, 1.0));
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
     app.add_flag("--list-pads", options.list_pads,
                  "print the gamepads and how they are read, and quit");

@@ -34,6 +34,7 @@ struct Options {
     uint32_t light_block = 0; // rt_frame_desc::light_block
     bool light_proofs = false;
     float lamp_radius = 0.0f; // rt_light_desc::source_radius of all lights
+    float bloom = 0.0f;       // rt_frame_desc::bloom
     bool list_cameras = false;
     bool list_pads = false;
     std::string pad_map; // a file; see pads/player_mappings.h

@@ -36,6 +36,7 @@ struct Session {
         frame.view = options.view;
         frame.no_shadows = options.no_shadows;
         frame.light_block = options.light_block;
+        frame.bloom = options.bloom;
         const double diagonal = level.bounds.diagonal();
         if (diagonal > 0.0) frame.depth_range = static_cast<float>(diagonal);
         return frame;

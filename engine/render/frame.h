@@ -50,6 +50,13 @@ struct Bounces {
 };
 inline constexpr uint32_t kMostDepth = 16;
 
+// Over-bright light that spreads to its surroundings; see rt_frame_desc.
+struct Bloom {
+    float strength = 0; // 0: none does
+    float threshold = 1;
+    float radius = 0.15f;
+};
+
 struct Extent {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -75,6 +82,7 @@ struct Frame {
     Plane normals;      // float[3]
     Approximations approximations;
     Bounces bounces;
+    Bloom bloom;
 
     bool is_shaded() const { return pixels && view == View::shaded; }
     bool looks_for_edges() const { return is_shaded() && approximations.edge_samples > 1; }
@@ -83,6 +91,7 @@ struct Frame {
     }
     // Beyond the batch for which it was found.
     bool keeps_light() const { return finds_blocks() || looks_for_edges(); }
+    bool blooms() const { return is_shaded() && bloom.strength > 0; }
     Extent extent() const { return {width, height}; }
     // What is traced of it. Debug views and planes are never enlarged.
     Extent traced() const {

@@ -432,6 +432,10 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, render_height);
     FIELD(rt_frame_desc, max_depth);
     FIELD(rt_frame_desc, least_importance);
+    FIELD(rt_frame_desc, bloom);
+    FIELD(rt_frame_desc, bloom_threshold);
+    FIELD(rt_frame_desc, bloom_radius);
+    FIELD(rt_frame_desc, reserved);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);

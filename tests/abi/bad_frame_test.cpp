@@ -125,6 +125,19 @@ TEST_F(BadFrame, Bounces) {
                      "rt_frame_desc.least_importance");
 }
 
+TEST_F(BadFrame, Bloom) {
+    constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
+    using D = rt_frame_desc;
+    for (const float value : {-0.1f, kNan, kInfinity}) {
+        refuse_frame([&](D& d) { d.bloom = value; }, kArgument, "rt_frame_desc.bloom is");
+        refuse_frame([&](D& d) { d.bloom_threshold = value; }, kArgument, "bloom_threshold");
+        refuse_frame([&](D& d) { d.bloom_radius = value; }, kArgument, "bloom_radius is");
+    }
+    refuse_frame([](D& d) { d.bloom = 1.1f; }, kArgument, "rt_frame_desc.bloom is 1.1; it must");
+    refuse_frame([](D& d) { d.bloom_radius = 2; }, kArgument, "bloom_radius is 2; it must");
+    refuse_frame([](D& d) { d.reserved = 1; }, kArgument, "rt_frame_desc.reserved");
+}
+
 TEST_F(BadFrame, Planes) {
     constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
     using D = rt_frame_desc;

@@ -332,6 +332,9 @@ private:
         frame.texture_filter = rt_texture_filter(random_.below(2));
         frame.edge_samples = random_.below(6);
         frame.max_depth = random_.below(6);
+        if (random_.one_in(2)) frame.bloom = random_.unit();
+        frame.bloom_threshold = 2 * random_.unit();
+        frame.bloom_radius = random_.unit();
         frame.render_width = random_.below(frame.width + 1);
         const uint64_t row = frame.width * kBytes[frame.format];
         frame.row_stride = random_.one_in(2) ? 0 : row + random_.below(20);

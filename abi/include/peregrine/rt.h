@@ -1257,6 +1257,13 @@ typedef struct rt_frame_desc {
                                rt_default_frame_desc() has 4 */
     float least_importance; /* paths end whose light, times exposure, counts for less than this
                                part; 0 to 1. rt_default_frame_desc() has 1 / 256 */
+    /* Glow: light that is too bright for a display spreads to its surroundings. */
+    float bloom; /* 0 to 1: the part of it that spreads; 0: none. 0.2 is a glow, 1 is a mist */
+    float bloom_threshold; /* what is beyond this spreads, of radiance times exposure; >= 0. 0: all
+                              light does. rt_default_frame_desc() has 1 */
+    float bloom_radius;    /* how far, as a part of the picture's height; 0 to 1.
+                              rt_default_frame_desc() has 0.15 */
+    uint32_t reserved;     /* 0 */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1269,6 +1276,8 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.texture_filter = RT_TEXTURE_MIPMAPS;
     desc.max_depth = 4;
     desc.least_importance = 1.0f / 256.0f;
+    desc.bloom_threshold = 1.0f;
+    desc.bloom_radius = 0.15f;
     return desc;
 }
 
