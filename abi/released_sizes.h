@@ -30,6 +30,7 @@ PEREGRINE_RELEASED(rt_mesh_desc, 200);
 PEREGRINE_RELEASED(rt_mesh_update, 80);
 PEREGRINE_RELEASED(rt_light_desc, 72, 80, 88);
 PEREGRINE_RELEASED(rt_environment, 32, 88);
+PEREGRINE_RELEASED(rt_fog, 40);
 PEREGRINE_RELEASED(rt_commit_desc, 32, 40, 56);
 PEREGRINE_RELEASED(rt_commit_report, 152, 192, 224);
 PEREGRINE_RELEASED(rt_ray_arrays, 72);

@@ -10,6 +10,11 @@
 
 namespace host {
 
+// A layer from the ground up; see rt_fog.
+struct Fog {
+    float density = 0.0f, top = 0.0f;
+};
+
 struct Options {
     std::string scene;               // empty: the default one
     std::string camera;              // a name or an index; empty: the first
@@ -35,6 +40,7 @@ struct Options {
     bool light_proofs = false;
     float lamp_radius = 0.0f; // rt_light_desc::source_radius of all lights
     float bloom = 0.0f;       // rt_frame_desc::bloom
+    std::optional<Fog> fog;
     bool list_cameras = false;
     bool list_pads = false;
     std::string pad_map; // a file; see pads/player_mappings.h

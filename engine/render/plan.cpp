@@ -102,13 +102,16 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
       shader(make_shader(snapshot_, camera, frame_, moved_lights)),
       block_light(shader, snapshot_.environment, frame_.approximations.light_tolerance,
                   glm::length(pinhole.right), kUnseen / frame_.exposure),
-      paths(snapshot_, shader, filter, path_limits(snapshot_, frame_), eye_media(*this, camera)) {
+      fog(frame_.is_shaded() ? snapshot_.fog : scene::Fog(), shader.kernels(), shader.space(), eye),
+      paths(snapshot_, shader, fog, filter, path_limits(snapshot_, frame_),
+            eye_media(*this, camera)) {
     if (frame.wants_planes()) stages_.add(fetch_planes);
     stages_.add(trace_primary_rays);
     if (frame.wants_planes()) stages_.add(write_planes);
     if (!frame.pixels) return;
     stages_.add(stage_of(frame, paths.any()));
     if (frame.is_shaded() && shader.has_sky() && !paths.any()) stages_.add(paint_sky);
+    if (fog.any() && !paths.any()) stages_.add(hide_in_fog);
     if (frame.looks_for_edges()) stages_.add(keep_edges);
     if (bloom) {
         stages_.add(keep_radiance);

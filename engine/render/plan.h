@@ -2,6 +2,7 @@
 
 #include "render/camera.h"
 #include "render/frame.h"
+#include "shade/air/fog.h"
 #include "shade/blocks/block_light.h"
 #include "shade/path/paths.h"
 #include "shade/shader.h"
@@ -35,10 +36,11 @@ struct Plan {
     trace::Filter filter; // of primary rays
     shade::Shader shader;
     shade::BlockLight block_light; // of frames with light in blocks
-    shade::Paths paths;            // of scenes with mirrors or glass
+    shade::Fog fog;
+    shade::Paths paths; // of scenes with mirrors or glass
 
     // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
-    // `film` and `bloom` are for the frames that need one.
+    // `film` and `bloom` are for the frames that need them.
     Plan(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
          base::Vector<shade::PreparedLight>& moved_lights, Film* film,
          const post::Bloom* bloom = nullptr);

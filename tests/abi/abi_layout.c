@@ -155,6 +155,13 @@ static void print_lights(void) {
     FIELD(rt_environment, sky_texture);
     FIELD(rt_environment, sky_intensity);
     FIELD(rt_environment, sky_rotation);
+    STRUCT(rt_fog);
+    FIELD(rt_fog, struct_size);
+    FIELD(rt_fog, density);
+    FIELD(rt_fog, top);
+    FIELD(rt_fog, bottom);
+    FIELD(rt_fog, color);
+    FIELD(rt_fog, reserved);
 }
 
 static void print_commit(void) {
@@ -518,6 +525,7 @@ static void print_table(void) {
     FIELD(rt_api, set_mesh_user_data);
     FIELD(rt_api, resolve_surfaces);
     FIELD(rt_api, govern_frame);
+    FIELD(rt_api, set_fog);
 }
 
 int main(void) {

@@ -297,6 +297,12 @@ private:
         environment.sky_rotation = random_.number();
         spoil(environment, 4);
         check(rt_set_environment(scene_, &environment));
+        rt_fog fog = rt_default_fog();
+        fog.density = random_.one_in(2) ? 0 : random_.unit();
+        fog.top = 9.0 * double(random_.unit());
+        fog.bottom = 9.0 * double(random_.unit()) - 4.5;
+        spoil(fog, 4);
+        check(rt_set_fog(scene_, &fog));
     }
 
     void commit() {

@@ -51,12 +51,19 @@ TEST_F(OptionsTest, ReadsValues) {
     EXPECT_EQ(parsed.options->time, 1.5);
     EXPECT_EQ(parsed.options->time_step, 0.0);
     EXPECT_EQ(parse({"--light-block", "8"}).options->light_block, 8u);
+    EXPECT_EQ(parse({"--bloom", "0.5"}).options->bloom, 0.5f);
+    const auto fog = parse({"--fog", "0.25,3"}).options->fog;
+    EXPECT_TRUE(fog && fog->density == 0.25f && fog->top == 3.0f);
 }
 
 TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
     for (const auto& arguments : std::initializer_list<std::initializer_list<const char*>>{
              {"--size", "64"},
              {"--light-block", "7"},
+             {"--bloom", "2"},
+             {"--fog", "0.1"},
+             {"--fog", "0.1,-2"},
+             {"--fog", "nan,2"},
              {"--size", "0x64"},
              {"--size", "-1x64"},
              {"--size", "64x99999"},

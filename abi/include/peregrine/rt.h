@@ -545,6 +545,33 @@ static inline rt_environment rt_default_environment(void) {
 RT_EXPORT rt_result rt_set_environment(rt_scene scene,
                                        const rt_environment* environment) RT_NOEXCEPT;
 
+/* A horizontal layer of fog. Of light that goes d metres through it at its densest, exp(-density d)
+ * is left, and the rest is the fog's own colour. Frames see it on the way from the eye and on that
+ * of every bounce, but not in solids of glass; lamps and queries do not. */
+typedef struct rt_fog {
+    uint32_t struct_size;
+    float density;  /* per metre, >= 0; 0: there is none */
+    double top;     /* y of where it ends, ... */
+    double bottom;  /* ... and of where it gets thinner, evenly up to the top; <= top. Below it goes
+                       on for ever */
+    float color[3]; /* radiance of fog that hides everything, >= 0 */
+    uint32_t reserved; /* 0 */
+} rt_fog;
+
+static inline rt_fog rt_default_fog(void) {
+    rt_fog fog;
+    memset(&fog, 0, sizeof fog);
+    fog.struct_size = (uint32_t)sizeof fog;
+    fog.density = 0.1f;
+    fog.top = 2.0;
+    fog.color[0] = fog.color[1] = fog.color[2] = 0.2f;
+    return fog;
+}
+
+/* Seen by frames after the next commit; before the first call there is none. Errors:
+ * INVALID_HANDLE, INVALID_STRUCT, INVALID_ARGUMENT. */
+RT_EXPORT rt_result rt_set_fog(rt_scene scene, const rt_fog* fog) RT_NOEXCEPT;
+
 /* ------------------------------------------------------------------------------------- commit */
 
 /* Called now and then from the thread that commits, with the fraction done, 0 to 1, not falling.
@@ -629,7 +656,8 @@ enum {
     RT_FEATURE_REFLECTION = 1u << 9,
     RT_FEATURE_TRANSMISSION = 1u << 10,
     RT_FEATURE_BLENDING = 1u << 11,
-    RT_FEATURE_SKY = 1u << 12
+    RT_FEATURE_SKY = 1u << 12,
+    RT_FEATURE_FOG = 1u << 13
 };
 
 typedef struct rt_commit_report {
@@ -1419,6 +1447,7 @@ typedef struct rt_api {
     rt_result (*resolve_surfaces)(rt_scene scene, const rt_resolve_desc* desc);
     rt_result (*govern_frame)(rt_governor* governor, rt_frame_desc* frame,
                               const rt_frame_stats* last);
+    rt_result (*set_fog)(rt_scene scene, const rt_fog* fog);
 } rt_api;
 
 /* The table for hosts that load the library by hand; look this one symbol up. `version` is the

@@ -6,6 +6,7 @@
 #include "render/post/kernels.h"
 #include "render/post/shown.h"
 #include "render/primary_rays.h"
+#include "render/shading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +75,7 @@ private:
             plan_.shader.shade(hits, colors.channel, buffers_.scratch);
             if (plan_.shader.has_sky()) plan_.shader.paint_sky(hits, colors.channel);
         });
+        if (plan_.fog.any()) hide_in_fog(plan_, buffers_, ray_count);
     }
 
     // A pixel's rays get what the pixel gets; each gives its own.
