@@ -97,6 +97,7 @@ int view(const Options& options) {
     player.describe(options.time);
     const rt_commit_report report = build(stage, options);
     Session session{options, level, std::move(cameras), camera, stage, player, report, {}, 0, 0};
+    session.embers = make_embers(level, options.embers, options.time);
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);
     return 0;

@@ -187,6 +187,9 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--fog", texts.fog,
                    "with --view-only or --headless: DENSITY,TOP of fog, per metre and metres above "
                    "the lowest place of the scene [none]");
+    app.add_option("--embers", options.embers,
+                   "with --view-only or --headless: particles that rise from the scene's lamps [0]")
+        ->check(CLI::Range(0u, 1000000u));
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
     app.add_flag("--list-pads", options.list_pads,
                  "print the gamepads and how they are read, and quit");

@@ -63,6 +63,7 @@ rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, voi
     desc.light_block = frame.light_block;
     desc.light_tolerance = light_tolerance;
     desc.bloom = frame.bloom;
+    desc.particles = frame.particles;
     desc.snapshot = frame.snapshot;
     desc.render_width = frame.traced_width;
     desc.render_height = frame.traced_height;

@@ -18,6 +18,7 @@ struct Frame {
     bool no_shadows = false;
     uint32_t light_block = 0; // rt_frame_desc::light_block
     float bloom = 0.0f;       // rt_frame_desc::bloom
+    rt_array particles{};     // rt_frame_desc::particles
     rt_snapshot snapshot{};   // null: the current one
     // The picture is traced so large and then enlarged; 0: as large as it is. Or the governor
     // chooses, by the last frame that it chose, if it has not seen that yet.

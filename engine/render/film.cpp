@@ -34,15 +34,17 @@ void find_looks(const scene::Snapshot& snapshot, const TileBuffers& buffers, uin
     }
 }
 
+uint32_t planes_before_radiance(const Frame& frame) {
+    if (!frame.looks_for_edges()) return frame.is_enlarged() ? 3 : 0;
+    return frame.shows_particles() ? 8 : 5;
+}
+
 } // namespace
 
 Film::Film(const Frame& frame, base::Memory* memory)
     : stride_((frame.traced().width + 2 * kMargin - 1) / kMargin * kMargin),
       plane_size_(stride_ * frame.traced().height + 2 * kMargin),
-      radiance_(frame.looks_for_edges() ? 5
-                : frame.is_enlarged()   ? 3
-                                        : 0),
-      floats_(memory), looks_(memory), edges_(memory) {
+      radiance_(planes_before_radiance(frame)), floats_(memory), looks_(memory), edges_(memory) {
     floats_.allocate(plane_size_ * (radiance_ + (frame.blooms() ? 3 : 0)));
     if (!frame.looks_for_edges()) return;
     looks_.allocate(plane_size_);

@@ -2,6 +2,7 @@
 
 #include "render/bounces.h"
 #include "render/film.h"
+#include "render/particles.h"
 #include "render/plan.h"
 #include "render/post/bloom.h"
 #include "render/post/edge_rays.h"
@@ -29,9 +30,9 @@ public:
     FrameRun(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
              base::Scheduler& scheduler, base::Memory* memory)
         : scheduler_(scheduler), moved_lights_(memory), film_(make_film(frame, memory)),
-          bloom_(make_bloom(frame, memory)),
+          bloom_(make_bloom(frame, memory)), particles_(make_particles(frame, memory)),
           plan_(snapshot, camera, frame, moved_lights_, film_ ? &*film_ : nullptr,
-                bloom_ ? &*bloom_ : nullptr),
+                bloom_ ? &*bloom_ : nullptr, particles_ ? &*particles_ : nullptr),
           workers_(std::min(scheduler.concurrency(), tiles_of(plan_.extent)), memory),
           tile_lights_(frame.keeps_light() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
@@ -46,6 +47,10 @@ public:
             workers_[i].paths = path_room_.memory(plan_, i);
             begin_primary_rays(plan_, workers_[i]);
         });
+        if (particles_)
+            share(particles_->share_count(), [&](uint32_t i, uint32_t worker) {
+                particles_->find(plan_, i, workers_[worker]);
+            });
         run(plan_.stages());
         if (bloom_) {
             spread_light();
@@ -61,6 +66,7 @@ public:
             stats.rays_shadow += buffers.scratch.shadow.ray_count;
             stats.light_points += buffers.light_point_count;
             stats.rays_edge += buffers.edge_ray_count;
+            stats.rays_particle += buffers.particle_ray_count;
         }
         stats.rays_bounced += path_room_.ray_count();
     }
@@ -73,6 +79,11 @@ private:
     static std::optional<post::Bloom> make_bloom(const Frame& frame, base::Memory* memory) {
         if (!frame.blooms()) return std::nullopt;
         return std::optional<post::Bloom>(std::in_place, frame, memory);
+    }
+
+    static std::optional<Particles> make_particles(const Frame& frame, base::Memory* memory) {
+        if (!frame.shows_particles()) return std::nullopt;
+        return std::optional<Particles>(std::in_place, frame, memory);
     }
 
     template <class Work>
@@ -149,6 +160,7 @@ private:
     base::Vector<shade::PreparedLight> moved_lights_;
     std::optional<Film> film_;
     std::optional<post::Bloom> bloom_;
+    std::optional<Particles> particles_;
     const Plan plan_;
     base::Vector<TileBuffers> workers_;
     base::Vector<shade::TileLight> tile_lights_; // of each worker

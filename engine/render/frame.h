@@ -7,6 +7,7 @@
 #include "scene/snapshot.h"
 
 #include <cstdint>
+#include <span>
 
 namespace peregrine::render {
 
@@ -57,6 +58,13 @@ struct Bloom {
     float radius = 0.15f;
 };
 
+// A point that shines; see rt_particle.
+struct Particle {
+    math::Vec3 place; // from the eye
+    float radius;
+    math::Vec3 color;
+};
+
 struct Extent {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -83,6 +91,7 @@ struct Frame {
     Approximations approximations;
     Bounces bounces;
     Bloom bloom;
+    std::span<const Particle> particles;
 
     bool is_shaded() const { return pixels && view == View::shaded; }
     bool looks_for_edges() const { return is_shaded() && approximations.edge_samples > 1; }
@@ -92,6 +101,7 @@ struct Frame {
     // Beyond the batch for which it was found.
     bool keeps_light() const { return finds_blocks() || looks_for_edges(); }
     bool blooms() const { return is_shaded() && bloom.strength > 0; }
+    bool shows_particles() const { return is_shaded() && !particles.empty(); }
     Extent extent() const { return {width, height}; }
     // What is traced of it. Debug views and planes are never enlarged.
     Extent traced() const {
@@ -112,6 +122,7 @@ struct FrameStats {
     uint64_t rays_edge = 0;
     uint64_t light_points = 0;
     uint64_t rays_bounced = 0;
+    uint64_t rays_particle = 0;
     double frame_ms = 0;
     base::Isa isa = base::Isa::scalar;
 };

@@ -2,6 +2,7 @@
 
 #include "render/bounces.h"
 #include "render/film.h"
+#include "render/particles.h"
 #include "render/planes.h"
 #include "render/post/bloom.h"
 #include "render/post/encode.h"
@@ -95,8 +96,10 @@ Stage stage_of(const Frame& frame, bool has_paths) {
 } // namespace
 
 Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& frame_,
-           base::Vector<shade::PreparedLight>& moved_lights, Film* film_, const post::Bloom* bloom_)
+           base::Vector<shade::PreparedLight>& moved_lights, Film* film_, const post::Bloom* bloom_,
+           const Particles* particles_)
     : snapshot(snapshot_), frame(frame_), extent(frame_.traced()), film(film_), bloom(bloom_),
+      particles(particles_),
       pinhole(camera, frame_.width, frame_.height, extent.width, extent.height),
       eye(camera.position), filter(primary_filter(snapshot_)),
       shader(make_shader(snapshot_, camera, frame_, moved_lights)),
@@ -112,6 +115,7 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
     stages_.add(stage_of(frame, paths.any()));
     if (frame.is_shaded() && shader.has_sky() && !paths.any()) stages_.add(paint_sky);
     if (fog.any() && !paths.any()) stages_.add(hide_in_fog);
+    if (particles) stages_.add(add_particles);
     if (frame.looks_for_edges()) stages_.add(keep_edges);
     if (bloom) {
         stages_.add(keep_radiance);

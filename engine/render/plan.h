@@ -15,6 +15,7 @@
 namespace peregrine::render {
 
 class Film;
+class Particles;
 namespace post {
 class Bloom;
 }
@@ -28,9 +29,10 @@ using Stage = void (*)(const Plan& plan, TileBuffers& buffers);
 struct Plan {
     const scene::Snapshot& snapshot;
     const Frame& frame;
-    Extent extent;            // in pixels that are traced
-    Film* film;               // null: no pass looks at neighbours
-    const post::Bloom* bloom; // null: no light spreads
+    Extent extent;              // in pixels that are traced
+    Film* film;                 // null: no pass looks at neighbours
+    const post::Bloom* bloom;   // null: no light spreads
+    const Particles* particles; // null: there are none
     Pinhole pinhole;
     math::Vec3d eye;      // where its rays begin
     trace::Filter filter; // of primary rays
@@ -40,10 +42,10 @@ struct Plan {
     shade::Paths paths; // of scenes with mirrors or glass
 
     // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.
-    // `film` and `bloom` are for the frames that need them.
+    // `film`, `bloom` and `particles` are for the frames that need them.
     Plan(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
          base::Vector<shade::PreparedLight>& moved_lights, Film* film,
-         const post::Bloom* bloom = nullptr);
+         const post::Bloom* bloom = nullptr, const Particles* particles = nullptr);
     Plan(const Plan&) = delete; // its parts refer to each other
 
     std::span<const Stage> stages() const { return stages_.list(); }

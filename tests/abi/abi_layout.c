@@ -407,6 +407,10 @@ static void print_frame(void) {
     FIELD(rt_camera, position);
     FIELD(rt_camera, forward);
     FIELD(rt_camera, up);
+    STRUCT(rt_particle);
+    FIELD(rt_particle, position);
+    FIELD(rt_particle, radius);
+    FIELD(rt_particle, color);
     STRUCT(rt_frame_desc);
     FIELD(rt_frame_desc, struct_size);
     FIELD(rt_frame_desc, format);
@@ -443,6 +447,7 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, bloom_threshold);
     FIELD(rt_frame_desc, bloom_radius);
     FIELD(rt_frame_desc, reserved);
+    FIELD(rt_frame_desc, particles);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);
@@ -454,6 +459,7 @@ static void print_frame(void) {
     FIELD(rt_frame_stats, rays_edge);
     FIELD(rt_frame_stats, light_points);
     FIELD(rt_frame_stats, rays_bounced);
+    FIELD(rt_frame_stats, rays_particle);
     STRUCT(rt_governor);
     FIELD(rt_governor, struct_size);
     FIELD(rt_governor, target_ms);

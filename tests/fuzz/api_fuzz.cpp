@@ -362,7 +362,15 @@ private:
         if (random_.one_in(2)) frame.mesh_ids = meshes.data();
         if (random_.one_in(3)) frame.pixels = nullptr;
         spoil(frame, offsetof(rt_frame_desc, view), offsetof(rt_frame_desc, depth));
-        spoil(frame, offsetof(rt_frame_desc, light_block), sizeof frame);
+        spoil(frame, offsetof(rt_frame_desc, light_block), offsetof(rt_frame_desc, particles));
+        std::vector<rt_particle> particles(random_.one_in(3) ? random_.below(1200) : 0);
+        for (rt_particle& particle : particles) {
+            for (double& p : particle.position)
+                p = double(random_.one_in(500) ? random_.number() : 8 * random_.unit() - 4);
+            particle.radius = random_.one_in(2000) ? random_.number() : 0.01f + random_.unit();
+            for (float& c : particle.color) c = random_.unit();
+        }
+        frame.particles = {particles.data(), particles.size(), 0, 0};
         rt_frame_stats stats = rt_default_frame_stats();
         check(rt_render_frame(scene_, &camera, &frame, &stats));
     }

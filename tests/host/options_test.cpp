@@ -54,6 +54,7 @@ TEST_F(OptionsTest, ReadsValues) {
     EXPECT_EQ(parse({"--bloom", "0.5"}).options->bloom, 0.5f);
     const auto fog = parse({"--fog", "0.25,3"}).options->fog;
     EXPECT_TRUE(fog && fog->density == 0.25f && fog->top == 3.0f);
+    EXPECT_EQ(parse({"--embers", "70"}).options->embers, 70u);
 }
 
 TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
@@ -64,6 +65,7 @@ TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
              {"--fog", "0.1"},
              {"--fog", "0.1,-2"},
              {"--fog", "nan,2"},
+             {"--embers", "-1"},
              {"--size", "0x64"},
              {"--size", "-1x64"},
              {"--size", "64x99999"},

@@ -1236,6 +1236,15 @@ enum {
                               by the texture as it is. */
 };
 
+/* A point that shines: a spark, a drop of a fountain. It is seen if nothing is between its centre
+ * and the eye, as a soft disc that adds its light to what is behind it, and is cut off softly by
+ * what stands in it. Mirrors do not show it. 40 bytes. */
+typedef struct rt_particle {
+    double position[3];
+    float radius;   /* metres, > 0: where its light ends */
+    float color[3]; /* radiance of its middle, >= 0 */
+} rt_particle;
+
 /* Besides or instead of an image, a frame delivers what its primary rays see, as further planes of
  * height rows of width elements: any of depth, triangle_ids, mesh_ids and normals that is not null.
  * With `pixels` null nothing is shaded. A plane holds what rt_trace_query with RT_QUERY_ALPHA_TEST
@@ -1292,6 +1301,7 @@ typedef struct rt_frame_desc {
     float bloom_radius;    /* how far, as a part of the picture's height; 0 to 1.
                               rt_default_frame_desc() has 0.15 */
     uint32_t reserved;     /* 0 */
+    rt_array particles;    /* rt_particle: at most 2^24 */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1317,9 +1327,10 @@ typedef struct rt_frame_stats {
     double frame_ms; /* wall time of the call */
     rt_isa isa;      /* of the kernels */
     uint32_t reserved;
-    uint64_t rays_edge;    /* beside one a pixel, for edges; not in rays_primary */
-    uint64_t light_points; /* of pixels and edge rays: where light was found, not interpolated */
-    uint64_t rays_bounced; /* that mirrors and glass sent on */
+    uint64_t rays_edge;     /* beside one a pixel, for edges; not in rays_primary */
+    uint64_t light_points;  /* of pixels and edge rays: where light was found, not interpolated */
+    uint64_t rays_bounced;  /* that mirrors and glass sent on */
+    uint64_t rays_particle; /* to particles that are within the picture */
 } rt_frame_stats;
 
 static inline rt_frame_stats rt_default_frame_stats(void) {

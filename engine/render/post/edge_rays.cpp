@@ -40,6 +40,7 @@ public:
         const uint32_t ray_count = count_ * pattern_.count;
         trace_rays_from_eye(plan_, buffers_, ray_count, nullptr);
         shade(ray_count);
+        if (plan_.particles) add_particles();
         if (plan_.bloom) spread_light(ray_count);
         const auto to_shown = kernels(plan_.snapshot.isa()).to_shown;
         for (float* const channel : buffers_.colors.channel)
@@ -76,6 +77,17 @@ private:
             if (plan_.shader.has_sky()) plan_.shader.paint_sky(hits, colors.channel);
         });
         if (plan_.fog.any()) hide_in_fog(plan_, buffers_, ray_count);
+    }
+
+    // Their light is that of the pixel's centre.
+    void add_particles() {
+        Film& film = *plan_.film;
+        for (uint32_t i = 0; i < count_; ++i)
+            for (int c = 0; c < 3; ++c) {
+                const float more = film.particles(c)[pixels_[i].y * film.stride() + pixels_[i].x];
+                float* const rays = buffers_.colors.channel[c] + i * pattern_.count;
+                for (uint32_t k = 0; k < pattern_.count; ++k) rays[k] += more;
+            }
     }
 
     // A pixel's rays get what the pixel gets; each gives its own.

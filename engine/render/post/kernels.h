@@ -47,6 +47,24 @@ struct BrightRows {
     const float* row[6][3];
 };
 
+// A soft disc of light on a picture.
+struct Sprite {
+    float x, y;                // its middle, in pixels
+    float by_width, by_height; // one over its radius, either way
+    float depth;               // of its middle, in metres
+    float by_depth;            // one over its radius
+    math::Vec3 color;          // in its middle
+};
+
+// Pixels of a tile, of rows of kStride.
+struct SpriteArea {
+    static constexpr uint32_t kStride = 32;
+
+    uint32_t left, top;        // of the tile in the picture
+    uint32_t begin_x, begin_y; // in the tile
+    uint32_t end_x, end_y;
+};
+
 // The loops of passes, compiled for each instruction set; all of them give the same bits. Arrays
 // are readable and writable up to the next multiple of 16.
 struct Kernels {
@@ -81,6 +99,10 @@ struct Kernels {
     // Takes from pixels what they give, and adds what they get.
     void (*spread)(const OverBright& bright, const float* const glow[3], uint32_t count,
                    float* const light[3]);
+
+    // Adds a sprite's light. `depth` and `light`: of all of the tile.
+    void (*add_sprite)(const Sprite& sprite, const SpriteArea& area, const float* depth,
+                       float* const light[3]);
 };
 
 // For this instruction set, or the plain one if it was not compiled. Does not ask the machine.
