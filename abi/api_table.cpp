@@ -46,6 +46,7 @@ constexpr rt_api kApi = {
     .set_mesh_user_data = rt_set_mesh_user_data,
     .resolve_surfaces = rt_resolve_surfaces,
     .govern_frame = rt_govern_frame,
+    .set_fog = rt_set_fog,
 };
 
 constexpr const char* kResultNames[] = {

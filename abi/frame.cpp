@@ -112,6 +112,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     frame.approximations = to_approximations(in);
     frame.bounces = to_bounces(in);
     frame.occlusion = to_occlusion(in);
+    frame.bloom = to_bloom(in);
     return frame;
 }
 
@@ -125,6 +126,7 @@ rt_frame_stats to_stats(const render::FrameStats& in) {
     out.rays_bounced = in.rays_bounced;
     out.rays_occlusion = in.rays_occlusion;
     out.occlusion_points = in.occlusion_points;
+    out.rays_particle = in.rays_particle;
     out.frame_ms = in.frame_ms;
     out.isa = rt_isa(in.isa);
     return out;
@@ -150,9 +152,12 @@ rt_result rt_render_frame(rt_scene scene, const rt_camera* camera, const rt_fram
     return guard([&] {
         HostScene& host = find_scene(scene);
         const Output output(out_stats);
-        const auto engine_camera = to_camera(read_struct(camera));
+        const rt_camera view = read_struct(camera);
+        const auto engine_camera = to_camera(view);
         const rt_frame_desc fields = read_struct(frame);
-        const auto engine_frame = to_frame(fields);
+        auto engine_frame = to_frame(fields);
+        const auto particles = to_particles(fields, view.position, &host.scene.frame_memory);
+        engine_frame.particles = particles;
         output.write(to_stats(render(host.scene, engine_camera, engine_frame, fields.snapshot)));
     });
 }

@@ -1,12 +1,20 @@
 #include "frame_options.h"
 
 #include "check.h"
+#include "read_array.h"
 #include "shade/occlusion/open_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace peregrine::abi {
 namespace {
 
 constexpr uint32_t kMostEdgeSamples = 16;
+constexpr uint64_t kMostParticles = 1u << 24;
+
+static_assert(sizeof(rt_particle) == 40);
 
 static_assert(RT_TEXTURE_FINEST == int(render::TextureFilter::finest));
 static_assert(RT_TEXTURE_MIPMAPS == int(render::TextureFilter::mipmaps));
@@ -23,6 +31,19 @@ uint32_t to_side(uint32_t side, uint32_t whole, const char* field) {
         base::fail(base::Code::invalid_argument, "%s is %u, which is more than the frame's %u",
                    field, side, whole);
     return side == 0 ? whole : side;
+}
+
+void require_part(float part, const char* field) {
+    if (!(part >= 0 && part <= 1))
+        base::fail(base::Code::invalid_argument, "%s is %g; it must be 0 to 1", field,
+                   double(part));
+}
+
+bool is_particle(const rt_particle& particle) {
+    const auto is_good = [](float value) { return value >= 0 && std::isfinite(value); };
+    return std::all_of(std::begin(particle.position), std::end(particle.position), is_coordinate)
+           && is_good(particle.radius) && particle.radius > 0
+           && std::all_of(std::begin(particle.color), std::end(particle.color), is_good);
 }
 
 } // namespace
@@ -50,10 +71,7 @@ render::Bounces to_bounces(const rt_frame_desc& in) {
     if (in.max_depth > render::kMostDepth)
         base::fail(base::Code::limit, "rt_frame_desc.max_depth is %u; at most %u is supported",
                    in.max_depth, render::kMostDepth);
-    if (!(in.least_importance >= 0 && in.least_importance <= 1))
-        base::fail(base::Code::invalid_argument,
-                   "rt_frame_desc.least_importance is %g; it must be 0 to 1",
-                   double(in.least_importance));
+    require_part(in.least_importance, "rt_frame_desc.least_importance");
     return {in.max_depth, in.least_importance};
 }
 
@@ -76,6 +94,36 @@ render::Occlusion to_occlusion(const rt_frame_desc& in) {
     out.normal_tolerance = in.occlusion_normal_tolerance;
     require_least_zero(in.occlusion_plane_tolerance, "rt_frame_desc.occlusion_plane_tolerance");
     out.plane_tolerance = in.occlusion_plane_tolerance;
+    return out;
+}
+
+render::Bloom to_bloom(const rt_frame_desc& in) {
+    require_part(in.bloom, "rt_frame_desc.bloom");
+    require_least_zero(in.bloom_threshold, "rt_frame_desc.bloom_threshold");
+    require_part(in.bloom_radius, "rt_frame_desc.bloom_radius");
+    require_zero(in.reserved, "rt_frame_desc.reserved");
+    return {in.bloom, in.bloom_threshold, in.bloom_radius};
+}
+
+base::Vector<render::Particle> to_particles(const rt_frame_desc& in, const double (&eye)[3],
+                                            base::Memory* memory) {
+    const Array<rt_particle> array(in.particles, "rt_frame_desc.particles", kMostParticles);
+    base::Vector<render::Particle> out(memory);
+    out.reserve(array.count());
+    for (uint64_t i = 0; i < array.count(); ++i) {
+        const rt_particle particle = array[i];
+        if (!is_particle(particle))
+            base::fail(base::Code::invalid_argument,
+                       "rt_frame_desc.particles: particle %llu has a place that is not finite, a "
+                       "radius that is not positive, or a negative colour",
+                       static_cast<unsigned long long>(i));
+        render::Particle& to = out.emplace_back();
+        for (int k = 0; k < 3; ++k) {
+            to.place[k] = float(particle.position[k] - eye[k]);
+            to.color[k] = particle.color[k];
+        }
+        to.radius = particle.radius;
+    }
     return out;
 }
 

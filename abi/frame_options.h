@@ -9,5 +9,10 @@ namespace peregrine::abi {
 render::Approximations to_approximations(const rt_frame_desc& in);
 render::Bounces to_bounces(const rt_frame_desc& in);
 render::Occlusion to_occlusion(const rt_frame_desc& in);
+render::Bloom to_bloom(const rt_frame_desc& in);
+
+// `eye`: rt_camera.position.
+base::Vector<render::Particle> to_particles(const rt_frame_desc& in, const double (&eye)[3],
+                                            base::Memory* memory);
 
 } // namespace peregrine::abi

@@ -30,6 +30,7 @@ PEREGRINE_RELEASED(rt_mesh_desc, 200);
 PEREGRINE_RELEASED(rt_mesh_update, 80);
 PEREGRINE_RELEASED(rt_light_desc, 72, 80, 88);
 PEREGRINE_RELEASED(rt_environment, 32, 88);
+PEREGRINE_RELEASED(rt_fog, 40);
 PEREGRINE_RELEASED(rt_commit_desc, 32, 40, 56);
 PEREGRINE_RELEASED(rt_commit_report, 152, 192, 224);
 PEREGRINE_RELEASED(rt_ray_arrays, 72);
@@ -42,8 +43,8 @@ PEREGRINE_RELEASED(rt_sweep_desc, 64);
 PEREGRINE_RELEASED(rt_overlap_desc, 80);
 PEREGRINE_RELEASED(rt_nearest_desc, 64);
 PEREGRINE_RELEASED(rt_camera, 56);
-PEREGRINE_RELEASED(rt_frame_desc, 120, 128, 160, 168, 192);
-PEREGRINE_RELEASED(rt_frame_stats, 40, 56, 64, 80);
+PEREGRINE_RELEASED(rt_frame_desc, 120, 128, 160, 168, 192, 232);
+PEREGRINE_RELEASED(rt_frame_stats, 40, 56, 64, 80, 88);
 PEREGRINE_RELEASED(rt_governor, 184);
 PEREGRINE_RELEASED(rt_scene_stats, 64);
 

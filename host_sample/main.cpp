@@ -4,6 +4,7 @@
 #include <iostream>
 #include <new>
 
+#include "air.h"
 #include "cameras.h"
 #include "error.h"
 #include "game/command.h"
@@ -92,9 +93,11 @@ int view(const Options& options) {
     const Plugin plugin(options.library);
     Stage stage(plugin.api(), options.threads, options.isa);
     Player player(stage, level, upload_level(stage, level, options.ambient.value_or(0.15f)));
+    if (options.fog) set_fog(stage, level, *options.fog, options.ambient.value_or(0.15f));
     player.describe(options.time);
     const rt_commit_report report = build(stage, options);
     Session session{options, level, std::move(cameras), camera, stage, player, report, {}, 0, 0};
+    session.embers = make_embers(level, options.embers, options.time);
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);
     return 0;

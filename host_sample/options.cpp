@@ -94,10 +94,23 @@ void parse_size(const std::string& text, Options& options) {
         throw InputError("--size takes WIDTHxHEIGHT, each from 1 to 16384, not \"" + text + "\"");
 }
 
+void parse_fog(const std::string& text, Options& options) {
+    const char* const last = text.data() + text.size();
+    Fog fog;
+    const auto density = std::from_chars(text.data(), last, fog.density);
+    const bool has_both = density.ec == std::errc() && density.ptr != last && *density.ptr == ',';
+    const auto top = std::from_chars(density.ptr + has_both, last, fog.top);
+    const auto is_good = [](float value) { return value >= 0.0f && value <= 1e6f; };
+    if (!has_both || top.ec != std::errc() || top.ptr != last || !is_good(fog.density)
+        || !is_good(fog.top))
+        throw InputError("--fog takes DENSITY,TOP, such as 0.1,2, not \"" + text + "\"");
+    options.fog = fog;
+}
+
 // The texts of options that need more than CLI11's own parsing.
 struct Texts {
     std::string size = "1280x720", view = "shaded", isa, structure = "auto", build = "balanced";
-    std::string difficulty;
+    std::string difficulty, fog;
     uint32_t frames = 0;
 };
 
@@ -174,6 +187,15 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
         ->check(CLI::Range(0.0f, 1e3f));
     app.add_flag("--light-proofs", options.light_proofs,
                  "with --view-only: prove once what standing lamps see of the level (seconds)");
+    app.add_option("--bloom", options.bloom,
+                   "with --view-only or --headless: the part of what is too bright that glows [0]")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--fog", texts.fog,
+                   "with --view-only or --headless: DENSITY,TOP of fog, per metre and metres above "
+                   "the lowest place of the scene [none]");
+    app.add_option("--embers", options.embers,
+                   "with --view-only or --headless: particles that rise from the scene's lamps [0]")
+        ->check(CLI::Range(0u, 1000000u));
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
     app.add_flag("--list-pads", options.list_pads,
                  "print the gamepads and how they are read, and quit");
@@ -204,6 +226,7 @@ void interpret_game(const Options& options) {
 
 void interpret(const CLI::App& app, const Texts& texts, Options& options) {
     parse_size(texts.size, options);
+    if (!texts.fog.empty()) parse_fog(texts.fog, options);
     if (!std::isfinite(options.scale.value_or(1.0f) + options.exposure.value_or(1.0f)
                        + options.ambient.value_or(0.0f)))
         throw InputError("--scale, --exposure and --ambient take finite numbers");

@@ -10,6 +10,11 @@
 
 namespace host {
 
+// A layer from the ground up; see rt_fog.
+struct Fog {
+    float density = 0.0f, top = 0.0f;
+};
+
 struct Options {
     std::string scene;               // empty: the default one
     std::string camera;              // a name or an index; empty: the first
@@ -36,6 +41,9 @@ struct Options {
     uint32_t occlusion_block = 8;
     bool light_proofs = false;
     float lamp_radius = 0.0f; // rt_light_desc::source_radius of all lights
+    float bloom = 0.0f;       // rt_frame_desc::bloom
+    std::optional<Fog> fog;
+    uint32_t embers = 0; // particles above the lamps
     bool list_cameras = false;
     bool list_pads = false;
     std::string pad_map; // a file; see pads/player_mappings.h

@@ -8,6 +8,7 @@
 #include "level.h"
 #include "options.h"
 #include "stage.h"
+#include "upload.h"
 
 namespace host {
 
@@ -22,6 +23,7 @@ struct Session {
     rt_commit_report report; // of the first commit
     FrameLog log;
     uint32_t width = 0, height = 0; // of the last frame
+    std::vector<rt_particle> embers{};
 
     // The chosen camera as it is now.
     Viewpoint viewpoint() const { return player.follow(cameras[camera]); }
@@ -38,6 +40,8 @@ struct Session {
         frame.light_block = options.light_block;
         frame.occlusion_range = options.occlusion_range;
         frame.occlusion_block = options.occlusion_block;
+        frame.bloom = options.bloom;
+        frame.particles = to_array(embers);
         const double diagonal = level.bounds.diagonal();
         if (diagonal > 0.0) frame.depth_range = static_cast<float>(diagonal);
         return frame;

@@ -64,6 +64,8 @@ rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, voi
     desc.light_tolerance = light_tolerance;
     desc.occlusion_range = frame.occlusion_range;
     desc.occlusion_block = frame.occlusion_block;
+    desc.bloom = frame.bloom;
+    desc.particles = frame.particles;
     desc.snapshot = frame.snapshot;
     desc.render_width = frame.traced_width;
     desc.render_height = frame.traced_height;

@@ -34,6 +34,41 @@ void find_looks(const scene::Snapshot& snapshot, const TileBuffers& buffers, uin
     }
 }
 
+uint32_t planes_before_radiance(const Frame& frame) {
+    if (!frame.looks_for_edges()) return frame.is_enlarged() ? 3 : 0;
+    return frame.shows_particles() ? 8 : 5;
+}
+
+} // namespace
+
+Film::Film(const Frame& frame, base::Memory* memory)
+    : stride_((frame.traced().width + 2 * kMargin - 1) / kMargin * kMargin),
+      plane_size_(stride_ * frame.traced().height + 2 * kMargin),
+      radiance_(planes_before_radiance(frame)), floats_(memory), looks_(memory), edges_(memory) {
+    floats_.allocate(plane_size_ * (radiance_ + (frame.blooms() ? 3 : 0)));
+    if (!frame.looks_for_edges()) return;
+    looks_.allocate(plane_size_);
+    edges_.allocate(plane_size_);
+}
+
+void keep_radiance(const Plan& plan, TileBuffers& buffers) {
+    for (int k = 0; k < 3; ++k) {
+        float* const radiance = buffers.colors.channel[k];
+        for (uint32_t i = 0; i < buffers.tile.count; ++i) radiance[i] = sane_radiance(radiance[i]);
+        store(plan, buffers.tile, radiance, plan.film->radiance(k));
+    }
+}
+
+void keep_shown(const Plan& plan, TileBuffers& buffers) {
+    alignas(64) float shown[kTilePadded];
+    const post::Kernels& kernels = post::kernels(plan.snapshot.isa());
+    for (int k = 0; k < 3; ++k) {
+        kernels.to_shown(plan.frame.tone_mapping, plan.frame.exposure, buffers.colors.channel[k],
+                         buffers.tile.count, shown);
+        store(plan, buffers.tile, shown, plan.film->shown(k));
+    }
+}
+
 void keep_edges(const Plan& plan, TileBuffers& buffers) {
     alignas(64) float values[kTilePadded];
     alignas(64) uint32_t looks[kTilePadded];
@@ -45,29 +80,6 @@ void keep_edges(const Plan& plan, TileBuffers& buffers) {
     store(plan, tile, values, plan.film->light());
     find_looks(plan.snapshot, buffers, looks);
     store(plan, tile, looks, plan.film->look());
-}
-
-} // namespace
-
-Film::Film(const Extent& extent, bool edges, base::Memory* memory)
-    : stride_((extent.width + 2 * kMargin - 1) / kMargin * kMargin),
-      plane_size_(stride_ * extent.height + 2 * kMargin), has_edges_(edges), floats_(memory),
-      looks_(memory), edges_(memory) {
-    floats_.allocate(plane_size_ * (edges ? 5 : 3));
-    if (!edges) return;
-    looks_.allocate(plane_size_);
-    edges_.allocate(plane_size_);
-}
-
-void keep_on_film(const Plan& plan, TileBuffers& buffers) {
-    alignas(64) float shown[kTilePadded];
-    const post::Kernels& kernels = post::kernels(plan.snapshot.isa());
-    for (int k = 0; k < 3; ++k) {
-        kernels.to_shown(plan.frame.tone_mapping, plan.frame.exposure, buffers.colors.channel[k],
-                         buffers.tile.count, shown);
-        store(plan, buffers.tile, shown, plan.film->shown(k));
-    }
-    if (plan.film->has_edges()) keep_edges(plan, buffers);
 }
 
 } // namespace peregrine::render

@@ -2,7 +2,9 @@
 
 #include "render/bounces.h"
 #include "render/film.h"
+#include "render/particles.h"
 #include "render/plan.h"
+#include "render/post/bloom.h"
 #include "render/post/edge_rays.h"
 #include "render/post/edges.h"
 #include "render/post/enlarge.h"
@@ -13,6 +15,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace peregrine::render {
 namespace {
@@ -27,7 +30,9 @@ public:
     FrameRun(const scene::Snapshot& snapshot, const Camera& camera, const Frame& frame,
              base::Scheduler& scheduler, base::Memory* memory)
         : scheduler_(scheduler), moved_lights_(memory), film_(make_film(frame, memory)),
-          plan_(snapshot, camera, frame, moved_lights_, film_ ? &*film_ : nullptr),
+          bloom_(make_bloom(frame, memory)), particles_(make_particles(frame, memory)),
+          plan_(snapshot, camera, frame, moved_lights_, film_ ? &*film_ : nullptr,
+                bloom_ ? &*bloom_ : nullptr, particles_ ? &*particles_ : nullptr),
           workers_(std::min(scheduler.concurrency(), tiles_of(plan_.extent)), memory),
           tile_lights_(frame.keeps_light() ? workers_.size() : 0, memory),
           tile_openness_(plan_.shader.finds_openness() ? workers_.size() : 0, memory),
@@ -47,9 +52,15 @@ public:
             }
             begin_primary_rays(plan_, workers_[i]);
         });
-        for_each_tile([&](TileBuffers& buffers, uint32_t) {
-            for (const Stage stage : plan_.stages()) stage(plan_, buffers);
-        });
+        if (particles_)
+            share(particles_->share_count(), [&](uint32_t i, uint32_t worker) {
+                particles_->find(plan_, i, workers_[worker]);
+            });
+        run(plan_.stages());
+        if (bloom_) {
+            spread_light();
+            run(plan_.later_stages());
+        }
         if (plan_.frame.looks_for_edges()) sharpen_edges();
         if (plan_.frame.is_enlarged()) enlarge();
     }
@@ -60,6 +71,7 @@ public:
             stats.rays_shadow += buffers.scratch.shadow.ray_count;
             stats.light_points += buffers.light_point_count;
             stats.rays_edge += buffers.edge_ray_count;
+            stats.rays_particle += buffers.particle_ray_count;
         }
         stats.rays_bounced += path_room_.ray_count();
         for (const shade::TileOpenness& openness : tile_openness_) {
@@ -70,8 +82,17 @@ public:
 
 private:
     static std::optional<Film> make_film(const Frame& frame, base::Memory* memory) {
-        if (!frame.looks_for_edges() && !frame.is_enlarged()) return std::nullopt;
-        return std::optional<Film>(std::in_place, frame.traced(), frame.looks_for_edges(), memory);
+        if (!Film::is_needed(frame)) return std::nullopt;
+        return std::optional<Film>(std::in_place, frame, memory);
+    }
+    static std::optional<post::Bloom> make_bloom(const Frame& frame, base::Memory* memory) {
+        if (!frame.blooms()) return std::nullopt;
+        return std::optional<post::Bloom>(std::in_place, frame, memory);
+    }
+
+    static std::optional<Particles> make_particles(const Frame& frame, base::Memory* memory) {
+        if (!frame.shows_particles()) return std::nullopt;
+        return std::optional<Particles>(std::in_place, frame, memory);
     }
 
     template <class Work>
@@ -82,6 +103,7 @@ private:
     // Calls work(i, worker) for each i < count.
     template <class Work>
     void share(uint32_t count, Work&& work) {
+        if (count == 1) return work(0, 0);
         std::atomic<uint32_t> next{0};
         for_each_worker([&](uint32_t worker) {
             for (uint32_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;)
@@ -95,6 +117,31 @@ private:
             workers_[worker].tile.place(tile, plan_.extent.width, plan_.extent.height);
             work(workers_[worker], worker);
         });
+    }
+
+    void run(std::span<const Stage> stages) {
+        for_each_tile([&](TileBuffers& buffers, uint32_t) {
+            for (const Stage stage : stages) stage(plan_, buffers);
+        });
+    }
+
+    // Calls work(row) for each row of a level of the bloom.
+    template <class Work>
+    void for_each_row(uint32_t level, Work&& work) {
+        constexpr uint32_t kRows = 8; // at a time
+        const uint32_t height = bloom_->height(level);
+        share((height + kRows - 1) / kRows, [&](uint32_t i, uint32_t) {
+            const uint32_t end = std::min((i + 1) * kRows, height);
+            for (uint32_t y = i * kRows; y < end; ++y) work(y);
+        });
+    }
+
+    void spread_light() {
+        const post::Kernels& kernels = post::kernels(plan_.snapshot.isa());
+        for (uint32_t level = 0; level < bloom_->level_count(); ++level)
+            for_each_row(level, [&](uint32_t y) { bloom_->halve(kernels, *film_, level, y); });
+        for (uint32_t level = bloom_->level_count() - 1; level-- > 0;)
+            for_each_row(level, [&](uint32_t y) { bloom_->gather(kernels, level, y); });
     }
 
     void sharpen_edges() {
@@ -121,6 +168,8 @@ private:
     base::Scheduler& scheduler_;
     base::Vector<shade::PreparedLight> moved_lights_;
     std::optional<Film> film_;
+    std::optional<post::Bloom> bloom_;
+    std::optional<Particles> particles_;
     const Plan plan_;
     base::Vector<TileBuffers> workers_;
     base::Vector<shade::TileLight> tile_lights_;      // of each worker

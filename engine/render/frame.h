@@ -7,6 +7,7 @@
 #include "scene/snapshot.h"
 
 #include <cstdint>
+#include <span>
 
 namespace peregrine::render {
 
@@ -67,6 +68,20 @@ struct Occlusion {
     float plane_tolerance = 0;
 };
 
+// Over-bright light that spreads to its surroundings; see rt_frame_desc.
+struct Bloom {
+    float strength = 0; // 0: none does
+    float threshold = 1;
+    float radius = 0.15f;
+};
+
+// A point that shines; see rt_particle.
+struct Particle {
+    math::Vec3 place; // from the eye
+    float radius;
+    math::Vec3 color;
+};
+
 struct Extent {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -93,6 +108,8 @@ struct Frame {
     Approximations approximations;
     Bounces bounces;
     Occlusion occlusion;
+    Bloom bloom;
+    std::span<const Particle> particles;
 
     bool is_shaded() const { return pixels && view == View::shaded; }
     bool looks_for_edges() const { return is_shaded() && approximations.edge_samples > 1; }
@@ -101,6 +118,8 @@ struct Frame {
     }
     // Beyond the batch for which it was found.
     bool keeps_light() const { return finds_blocks() || looks_for_edges(); }
+    bool blooms() const { return is_shaded() && bloom.strength > 0; }
+    bool shows_particles() const { return is_shaded() && !particles.empty(); }
     Extent extent() const { return {width, height}; }
     // What is traced of it. Debug views and planes are never enlarged.
     Extent traced() const {
@@ -123,6 +142,7 @@ struct FrameStats {
     uint64_t rays_bounced = 0;
     uint64_t rays_occlusion = 0;
     uint64_t occlusion_points = 0;
+    uint64_t rays_particle = 0;
     double frame_ms = 0;
     base::Isa isa = base::Isa::scalar;
 };

@@ -3,7 +3,9 @@
 #include "render/bounces.h"
 #include "render/film.h"
 #include "render/occlusion.h"
+#include "render/particles.h"
 #include "render/planes.h"
+#include "render/post/bloom.h"
 #include "render/post/encode.h"
 #include "render/post/tones.h"
 #include "render/primary_rays.h"
@@ -107,8 +109,10 @@ Stage stage_of(const Frame& frame, bool has_paths) {
 } // namespace
 
 Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& frame_,
-           base::Vector<shade::PreparedLight>& moved_lights, Film* film_)
-    : snapshot(snapshot_), frame(frame_), extent(frame_.traced()), film(film_),
+           base::Vector<shade::PreparedLight>& moved_lights, Film* film_, const post::Bloom* bloom_,
+           const Particles* particles_)
+    : snapshot(snapshot_), frame(frame_), extent(frame_.traced()), film(film_), bloom(bloom_),
+      particles(particles_),
       pinhole(camera, frame_.width, frame_.height, extent.width, extent.height),
       eye(camera.position), filter(primary_filter(snapshot_)),
       shader(make_shader(snapshot_, camera, frame_, moved_lights)),
@@ -118,18 +122,31 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
                      {frame_.occlusion.tolerance, frame_.occlusion.normal_tolerance,
                       frame_.occlusion.plane_tolerance},
                      glm::length(pinhole.right)),
-      paths(snapshot_, shader, filter, path_limits(snapshot_, frame_), eye_media(*this, camera)) {
-    if (frame.wants_planes()) add(fetch_planes);
-    add(trace_primary_rays);
-    if (frame.wants_planes()) add(write_planes);
+      fog(frame_.is_shaded() ? snapshot_.fog : scene::Fog(), shader.kernels(), shader.space(), eye),
+      paths(snapshot_, shader, fog, filter, path_limits(snapshot_, frame_),
+            eye_media(*this, camera)) {
+    if (frame.wants_planes()) stages_.add(fetch_planes);
+    stages_.add(trace_primary_rays);
+    if (frame.wants_planes()) stages_.add(write_planes);
     if (!frame.pixels) return;
-    if (shader.finds_openness()) add(find_openness);
-    add(stage_of(frame, paths.any()));
-    if (frame.is_shaded() && shader.has_sky() && !paths.any()) add(paint_sky);
-    if (film) add(keep_on_film);
+    if (shader.finds_openness()) stages_.add(find_openness);
+    stages_.add(stage_of(frame, paths.any()));
+    if (frame.is_shaded() && shader.has_sky() && !paths.any()) stages_.add(paint_sky);
+    if (fog.any() && !paths.any()) stages_.add(hide_in_fog);
+    if (particles) stages_.add(add_particles);
+    if (frame.looks_for_edges()) stages_.add(keep_edges);
+    if (bloom) {
+        stages_.add(keep_radiance);
+        later_stages_.add(take_spread_light);
+    }
+    finish(bloom ? later_stages_ : stages_);
+}
+
+void Plan::finish(Stages& stages) const {
+    if (frame.looks_for_edges() || frame.is_enlarged()) stages.add(keep_shown);
     if (frame.is_enlarged()) return;
-    add(post::tones_of(frame));
-    add(post::encoder_of(frame));
+    stages.add(post::tones_of(frame));
+    stages.add(post::encoder_of(frame));
 }
 
 } // namespace peregrine::render

@@ -37,6 +37,18 @@ void paint_sky(const Plan& plan, TileBuffers& buffers) {
     });
 }
 
+void hide_in_fog(const Plan& plan, TileBuffers& buffers, uint32_t ray_count) {
+    alignas(64) shade::Surface::Lanes clear;
+    buffers.for_each_batch(ray_count, [&](const shade::RayHits& hits, uint32_t first) {
+        plan.fog.find_clear(hits, clear);
+        plan.fog.veil(clear, hits.count, buffers.colors_from(first).channel);
+    });
+}
+
+void hide_in_fog(const Plan& plan, TileBuffers& buffers) {
+    hide_in_fog(plan, buffers, buffers.tile.count);
+}
+
 void find_light(const Plan& plan, TileBuffers& buffers) {
     shade::TileLight& light = *buffers.light;
     light.begin(buffers.tile.count);

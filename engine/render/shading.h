@@ -13,6 +13,9 @@ void shade_blocks(const Plan& plan, TileBuffers& buffers);
 
 // A stage: the sky, where the rays of the tile hit nothing. Paths paint it themselves.
 void paint_sky(const Plan& plan, TileBuffers& buffers);
+// ... the fog before what they hit.
+void hide_in_fog(const Plan& plan, TileBuffers& buffers);
+void hide_in_fog(const Plan& plan, TileBuffers& buffers, uint32_t ray_count);
 
 // buffers.light takes what the scratch has of a batch, or gives it.
 void keep_light(const shade::RayHits& hits, uint32_t first, TileBuffers& buffers);

@@ -37,6 +37,7 @@ struct alignas(64) TileBuffers {
     shade::TileOpenness* openness = nullptr; // if the shader finds it
     uint64_t light_point_count = 0;          // of a frame
     uint64_t edge_ray_count = 0;             // of a frame
+    uint64_t particle_ray_count = 0;         // of a frame
     shade::PathMemory* paths = nullptr;      // of plans that have any
 
     // Calls function(hits, first) for batches of rays, `first` being a batch's first.

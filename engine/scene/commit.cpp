@@ -70,7 +70,10 @@ void Commit::show_lights() {
 
 void Commit::show_environment() {
     snapshot_.environment = scene_.environment;
-    snapshot_.features |= features_of(scene_.environment);
+    snapshot_.features |= features_of(scene_.environment) | features_of(scene_.fog);
+    snapshot_.fog = scene_.fog;
+    snapshot_.fog.top -= scene_.origin().y;
+    snapshot_.fog.bottom -= scene_.origin().y;
     Sky& sky = snapshot_.environment.sky;
     if (sky.kind != SkyKind::texture) return;
     const auto* found = scene_.textures.find(scene_.sky_texture);

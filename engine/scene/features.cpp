@@ -1,5 +1,6 @@
 #include "scene/features.h"
 
+#include "scene/fog.h"
 #include "scene/light.h"
 #include "scene/material.h"
 
@@ -25,6 +26,10 @@ uint32_t features_of(const Light& light) {
 
 uint32_t features_of(const Environment& environment) {
     return environment.sky.kind == SkyKind::none ? 0 : uint32_t(kSky);
+}
+
+uint32_t features_of(const Fog& fog) {
+    return fog.any() ? uint32_t(kFog) : 0;
 }
 
 } // namespace peregrine::scene

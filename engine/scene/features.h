@@ -5,6 +5,7 @@
 namespace peregrine::scene {
 
 struct Environment;
+struct Fog;
 struct Light;
 struct Material;
 
@@ -25,7 +26,8 @@ enum Feature : uint32_t {
     kTransmission = 1u << 10,
     kBlending = 1u << 11,
     kSky = 1u << 12,
-    kAllFeatures = (1u << 13) - 1,
+    kFog = 1u << 13,
+    kAllFeatures = (1u << 14) - 1,
 };
 
 // Of materials at which paths go on.
@@ -36,5 +38,6 @@ inline constexpr uint32_t kLightPassingFeatures = kTransmission | kBlending;
 uint32_t features_of(const Material& material);
 uint32_t features_of(const Light& light);
 uint32_t features_of(const Environment& environment);
+uint32_t features_of(const Fog& fog);
 
 } // namespace peregrine::scene

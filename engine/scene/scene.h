@@ -7,6 +7,7 @@
 #include "base/recycling_memory.h"
 #include "base/scheduler.h"
 #include "base/slot_map.h"
+#include "scene/fog.h"
 #include "scene/light.h"
 #include "scene/light_view.h"
 #include "scene/lights/light_set.h"
@@ -137,6 +138,7 @@ public:
     base::SlotMap<Light> lights;
     Environment environment; // its sky's texture is a handle still
     Handle sky_texture;
+    Fog fog;
     SnapshotStore snapshots;
 
     // What snapshots are relative to from the next commit on. Fixed and deforming meshes already

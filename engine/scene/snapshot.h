@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "scene/features.h"
+#include "scene/fog.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
 #include "scene/lights/light_set.h"
@@ -65,6 +66,7 @@ struct Snapshot {
     base::Vector<accel::instances::NodeRest> instance_rests; // beside them, if any is far away
     base::Vector<InstanceAlpha> instance_alphas; // beside `instances`; empty if no test asks
     Environment environment;
+    Fog fog;
     uint32_t features = 0; // Feature bits that the scene has
     uint64_t version = 0;
     math::Vec3d origin{0};          // that everything above is relative to, and ...

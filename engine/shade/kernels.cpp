@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "shade/air/fog-inl.h"
 #include "shade/blocks/blocks-inl.h"
 #include "shade/kernels.h"
 #include "shade/light/directional-inl.h"
@@ -76,6 +77,8 @@ constexpr Kernels kKernels = {
     block_is_smooth,
     interpolate_block,
     paint_sky,
+    find_clear,
+    veil,
     split_paths,
     absorb,
 };

@@ -65,6 +65,14 @@ using SplitPaths = void (*)(const scene::Snapshot& snapshot, uint32_t features,
                             const SurfaceSpace& space, const RayHits& hits, const Media* media,
                             Surface& surface, SplitRays& out);
 
+// A layer of fog (scene/fog.h), relative to where surfaces are.
+struct FogLayer {
+    float density;
+    float top, bottom;
+    float thinning; // by a metre upward, in parts of the density; 0 if it ends at once
+    math::Vec3 color;
+};
+
 // The loops over a batch, compiled for each instruction set; all of them give the same bits.
 struct Kernels {
     std::array<FindSurfaces, kSurfaceParts> find_surfaces; // by SurfacePart
@@ -86,6 +94,12 @@ struct Kernels {
 
     // What the rays see that hit nothing.
     void (*paint_sky)(const scene::Sky& sky, const RayHits& hits, float* const radiance[3]);
+
+    // See air/fog.h.
+    void (*find_clear)(const FogLayer& layer, const float* heights, const float* const direction[3],
+                       const float* t, uint32_t count, float* clear);
+    void (*veil)(const math::Vec3& color, const float* clear, uint32_t count,
+                 float* const radiance[3]);
 
     SplitPaths split_paths;
     // Takes from weights what is absorbed on the way to t.

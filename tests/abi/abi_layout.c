@@ -155,6 +155,13 @@ static void print_lights(void) {
     FIELD(rt_environment, sky_texture);
     FIELD(rt_environment, sky_intensity);
     FIELD(rt_environment, sky_rotation);
+    STRUCT(rt_fog);
+    FIELD(rt_fog, struct_size);
+    FIELD(rt_fog, density);
+    FIELD(rt_fog, top);
+    FIELD(rt_fog, bottom);
+    FIELD(rt_fog, color);
+    FIELD(rt_fog, reserved);
 }
 
 static void print_commit(void) {
@@ -400,6 +407,10 @@ static void print_frame(void) {
     FIELD(rt_camera, position);
     FIELD(rt_camera, forward);
     FIELD(rt_camera, up);
+    STRUCT(rt_particle);
+    FIELD(rt_particle, position);
+    FIELD(rt_particle, radius);
+    FIELD(rt_particle, color);
     STRUCT(rt_frame_desc);
     FIELD(rt_frame_desc, struct_size);
     FIELD(rt_frame_desc, format);
@@ -438,6 +449,11 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, occlusion_tolerance);
     FIELD(rt_frame_desc, occlusion_normal_tolerance);
     FIELD(rt_frame_desc, occlusion_plane_tolerance);
+    FIELD(rt_frame_desc, bloom);
+    FIELD(rt_frame_desc, bloom_threshold);
+    FIELD(rt_frame_desc, bloom_radius);
+    FIELD(rt_frame_desc, reserved);
+    FIELD(rt_frame_desc, particles);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);
@@ -451,6 +467,7 @@ static void print_frame(void) {
     FIELD(rt_frame_stats, rays_bounced);
     FIELD(rt_frame_stats, rays_occlusion);
     FIELD(rt_frame_stats, occlusion_points);
+    FIELD(rt_frame_stats, rays_particle);
     STRUCT(rt_governor);
     FIELD(rt_governor, struct_size);
     FIELD(rt_governor, target_ms);
@@ -522,6 +539,7 @@ static void print_table(void) {
     FIELD(rt_api, set_mesh_user_data);
     FIELD(rt_api, resolve_surfaces);
     FIELD(rt_api, govern_frame);
+    FIELD(rt_api, set_fog);
 }
 
 int main(void) {

@@ -255,6 +255,26 @@ TEST_F(BadField, Environment) {
                    "rt_environment.sky_intensity is -1");
 }
 
+TEST_F(BadField, Fog) {
+    using F = rt_fog;
+    const size_t offsets[] = {AT(F, density), AT(F, color[0]), AT(F, color[2])};
+    spoil_floats<F>(rt_default_fog(), offsets, [&](const F& bad) {
+        expect_refused(rt_set_fog(scene(), &bad), RT_ERROR_INVALID_ARGUMENT, "rt_fog.");
+    });
+    const auto refuse = [&](auto spoil, const char* words) {
+        F bad = rt_default_fog();
+        spoil(bad);
+        expect_refused(rt_set_fog(scene(), &bad), RT_ERROR_INVALID_ARGUMENT, words);
+    };
+    refuse([](F& f) { f.density = -1; }, "rt_fog.density");
+    refuse([](F& f) { f.color[1] = -1; }, "rt_fog.color");
+    refuse([](F& f) { f.bottom = 3; }, "rt_fog.bottom is 3, above its top, 2");
+    refuse([](F& f) { f.top = double(kInfinity); }, "rt_fog.top");
+    refuse([](F& f) { f.bottom = double(kNan); }, "rt_fog.bottom");
+    refuse([](F& f) { f.top = 2e30; }, "rt_fog.top");
+    refuse([](F& f) { f.reserved = 1; }, "rt_fog.reserved");
+}
+
 TEST_F(BadField, Commit) {
     rt_commit_desc desc = rt_default_commit_desc();
     for (const float bonus : {-0.1f, 1.1f, kNan, kInfinity}) {

@@ -143,6 +143,52 @@ TEST_F(BadFrame, Occlusion) {
     }
 }
 
+TEST_F(BadFrame, Bloom) {
+    constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
+    using D = rt_frame_desc;
+    for (const float value : {-0.1f, kNan, kInfinity}) {
+        refuse_frame([&](D& d) { d.bloom = value; }, kArgument, "rt_frame_desc.bloom is");
+        refuse_frame([&](D& d) { d.bloom_threshold = value; }, kArgument, "bloom_threshold");
+        refuse_frame([&](D& d) { d.bloom_radius = value; }, kArgument, "bloom_radius is");
+    }
+    refuse_frame([](D& d) { d.bloom = 1.1f; }, kArgument, "rt_frame_desc.bloom is 1.1; it must");
+    refuse_frame([](D& d) { d.bloom_radius = 2; }, kArgument, "bloom_radius is 2; it must");
+    refuse_frame([](D& d) { d.reserved = 1; }, kArgument, "rt_frame_desc.reserved");
+}
+
+TEST_F(BadFrame, Particles) {
+    constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
+    using D = rt_frame_desc;
+    const rt_particle good = {{0, 1, 2}, 0.1f, {1, 0, 3}};
+    std::vector<rt_particle> particles(3, good);
+    const auto refuse = [&](const char* words) {
+        refuse_frame(
+            [&](D& d) {
+                d.particles = {particles.data(), particles.size(), 0, 0};
+            },
+            kArgument, words);
+        particles[1] = particles[2] = good;
+    };
+    for (const float value : {0.0f, -1.0f, kNan, kInfinity}) {
+        particles[1].radius = value;
+        refuse("rt_frame_desc.particles: particle 1 has");
+    }
+    for (const float value : {-1.0f, kNan, kInfinity}) {
+        particles[2].color[1] = value;
+        refuse("particle 2 has");
+        particles[2].position[0] = double(value) * 1e31;
+        refuse("particle 2 has");
+    }
+    refuse_frame([](D& d) { d.particles.count = 1; }, kArgument, "particles");
+    refuse_frame([&](D& d) { d.particles = {particles.data(), 3, 39, 0}; }, kArgument, "particles");
+    refuse_frame(
+        [&](D& d) {
+            d.particles = {particles.data(), (1u << 24) + 1, 0, 0};
+        },
+        RT_ERROR_LIMIT, "particles");
+    refuse_frame([&](D& d) { d.particles = {particles.data(), 3, 0, 1}; }, kArgument, "particles");
+}
+
 TEST_F(BadFrame, Planes) {
     constexpr auto kArgument = RT_ERROR_INVALID_ARGUMENT;
     using D = rt_frame_desc;

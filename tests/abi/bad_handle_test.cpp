@@ -12,6 +12,7 @@ void expect_all_refuse(rt_scene scene, const World& world, const std::string& wo
     const rt_mesh_desc mesh = rt_default_mesh_desc();
     const rt_mesh_update update = rt_default_mesh_update();
     const rt_light_desc light = rt_default_light_desc();
+    const rt_fog fog = rt_default_fog();
     const rt_environment environment = rt_default_environment();
     const rt_query_desc query = rt_default_query_desc();
     const rt_camera camera = rt_default_camera();
@@ -35,6 +36,7 @@ void expect_all_refuse(rt_scene scene, const World& world, const std::string& wo
         rt_update_light(scene, world.lamp, &light),
         rt_remove_light(scene, world.lamp),
         rt_set_environment(scene, &environment),
+        rt_set_fog(scene, &fog),
         rt_commit_scene(scene, nullptr, nullptr),
         rt_trace_query(scene, &query),
         rt_resolve_hits(scene, nullptr, 0, 0, nullptr, 0),

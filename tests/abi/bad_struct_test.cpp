@@ -116,6 +116,9 @@ TEST_F(BadStruct, LightAndEnvironment) {
     check_sizes<rt_environment>(
         rt_default_environment(), "rt_environment",
         [&](const rt_environment* d) { return rt_set_environment(scene(), d); });
+    rt_fog none = rt_default_fog();
+    none.density = 0;
+    check_sizes<rt_fog>(none, "rt_fog", [&](const rt_fog* d) { return rt_set_fog(scene(), d); });
 }
 
 TEST_F(BadStruct, QueryAndFrame) {

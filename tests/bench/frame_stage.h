@@ -43,6 +43,7 @@ public:
     }
     RenderedFrame render(const rt_frame_desc& desc, const host::Viewpoint& view) const;
     const rt_commit_report& report() const { return report_; }
+    host::Stage& stage() { return stage_; }
 
 private:
     host::Stage stage_;

@@ -298,6 +298,12 @@ private:
         environment.sky_rotation = random_.number();
         spoil(environment, 4);
         check(rt_set_environment(scene_, &environment));
+        rt_fog fog = rt_default_fog();
+        fog.density = random_.one_in(2) ? 0 : random_.unit();
+        fog.top = 9.0 * double(random_.unit());
+        fog.bottom = 9.0 * double(random_.unit()) - 4.5;
+        spoil(fog, 4);
+        check(rt_set_fog(scene_, &fog));
     }
 
     void commit() {
@@ -336,6 +342,9 @@ private:
         if (random_.one_in(2)) frame.occlusion_range = std::fabs(random_.number());
         frame.occlusion_samples = random_.below(24);
         frame.occlusion_block = random_.below(3) * 4;
+        if (random_.one_in(2)) frame.bloom = random_.unit();
+        frame.bloom_threshold = 2 * random_.unit();
+        frame.bloom_radius = random_.unit();
         frame.render_width = random_.below(frame.width + 1);
         const uint64_t row = frame.width * kBytes[frame.format];
         frame.row_stride = random_.one_in(2) ? 0 : row + random_.below(20);
@@ -357,7 +366,15 @@ private:
         if (random_.one_in(2)) frame.mesh_ids = meshes.data();
         if (random_.one_in(3)) frame.pixels = nullptr;
         spoil(frame, offsetof(rt_frame_desc, view), offsetof(rt_frame_desc, depth));
-        spoil(frame, offsetof(rt_frame_desc, light_block), sizeof frame);
+        spoil(frame, offsetof(rt_frame_desc, light_block), offsetof(rt_frame_desc, particles));
+        std::vector<rt_particle> particles(random_.one_in(3) ? random_.below(1200) : 0);
+        for (rt_particle& particle : particles) {
+            for (double& p : particle.position)
+                p = double(random_.one_in(500) ? random_.number() : 8 * random_.unit() - 4);
+            particle.radius = random_.one_in(2000) ? random_.number() : 0.01f + random_.unit();
+            for (float& c : particle.color) c = random_.unit();
+        }
+        frame.particles = {particles.data(), particles.size(), 0, 0};
         rt_frame_stats stats = rt_default_frame_stats();
         check(rt_render_frame(scene_, &camera, &frame, &stats));
     }

@@ -54,6 +54,10 @@ TEST_F(OptionsTest, ReadsValues) {
     const auto occlusion = parse({"--occlusion", "1.5", "--occlusion-block", "1"});
     EXPECT_EQ(occlusion.options->occlusion_range, 1.5f);
     EXPECT_EQ(occlusion.options->occlusion_block, 1u);
+    EXPECT_EQ(parse({"--bloom", "0.5"}).options->bloom, 0.5f);
+    const auto fog = parse({"--fog", "0.25,3"}).options->fog;
+    EXPECT_TRUE(fog && fog->density == 0.25f && fog->top == 3.0f);
+    EXPECT_EQ(parse({"--embers", "70"}).options->embers, 70u);
 }
 
 TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
@@ -62,6 +66,11 @@ TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
              {"--light-block", "7"},
              {"--occlusion", "-1"},
              {"--occlusion-block", "2"},
+             {"--bloom", "2"},
+             {"--fog", "0.1"},
+             {"--fog", "0.1,-2"},
+             {"--fog", "nan,2"},
+             {"--embers", "-1"},
              {"--size", "0x64"},
              {"--size", "-1x64"},
              {"--size", "64x99999"},

@@ -545,6 +545,33 @@ static inline rt_environment rt_default_environment(void) {
 RT_EXPORT rt_result rt_set_environment(rt_scene scene,
                                        const rt_environment* environment) RT_NOEXCEPT;
 
+/* A horizontal layer of fog. Of light that goes d metres through it at its densest, exp(-density d)
+ * is left, and the rest is the fog's own colour. Frames see it on the way from the eye and on that
+ * of every bounce, but not in solids of glass; lamps and queries do not. */
+typedef struct rt_fog {
+    uint32_t struct_size;
+    float density;  /* per metre, >= 0; 0: there is none */
+    double top;     /* y of where it ends, ... */
+    double bottom;  /* ... and of where it gets thinner, evenly up to the top; <= top. Below it goes
+                       on for ever */
+    float color[3]; /* radiance of fog that hides everything, >= 0 */
+    uint32_t reserved; /* 0 */
+} rt_fog;
+
+static inline rt_fog rt_default_fog(void) {
+    rt_fog fog;
+    memset(&fog, 0, sizeof fog);
+    fog.struct_size = (uint32_t)sizeof fog;
+    fog.density = 0.1f;
+    fog.top = 2.0;
+    fog.color[0] = fog.color[1] = fog.color[2] = 0.2f;
+    return fog;
+}
+
+/* Seen by frames after the next commit; before the first call there is none. Errors:
+ * INVALID_HANDLE, INVALID_STRUCT, INVALID_ARGUMENT. */
+RT_EXPORT rt_result rt_set_fog(rt_scene scene, const rt_fog* fog) RT_NOEXCEPT;
+
 /* ------------------------------------------------------------------------------------- commit */
 
 /* Called now and then from the thread that commits, with the fraction done, 0 to 1, not falling.
@@ -629,7 +656,8 @@ enum {
     RT_FEATURE_REFLECTION = 1u << 9,
     RT_FEATURE_TRANSMISSION = 1u << 10,
     RT_FEATURE_BLENDING = 1u << 11,
-    RT_FEATURE_SKY = 1u << 12
+    RT_FEATURE_SKY = 1u << 12,
+    RT_FEATURE_FOG = 1u << 13
 };
 
 typedef struct rt_commit_report {
@@ -1210,6 +1238,15 @@ enum {
                               by the texture as it is. */
 };
 
+/* A point that shines: a spark, a drop of a fountain. It is seen if nothing is between its centre
+ * and the eye, as a soft disc that adds its light to what is behind it, and is cut off softly by
+ * what stands in it. Mirrors do not show it. 40 bytes. */
+typedef struct rt_particle {
+    double position[3];
+    float radius;   /* metres, > 0: where its light ends */
+    float color[3]; /* radiance of its middle, >= 0 */
+} rt_particle;
+
 /* Besides or instead of an image, a frame delivers what its primary rays see, as further planes of
  * height rows of width elements: any of depth, triangle_ids, mesh_ids and normals that is not null.
  * With `pixels` null nothing is shaded. A plane holds what rt_trace_query with RT_QUERY_ALPHA_TEST
@@ -1271,6 +1308,14 @@ typedef struct rt_frame_desc {
     float occlusion_tolerance; /* how much of the ambient light may differ within a block; >= 0 */
     float occlusion_normal_tolerance; /* how far the tips of unit normals may be apart; >= 0 */
     float occlusion_plane_tolerance;  /* how far from a plane a block may be, in its widths; >= 0 */
+    /* Glow: light that is too bright for a display spreads to its surroundings. */
+    float bloom; /* 0 to 1: the part of it that spreads; 0: none. 0.2 is a glow, 1 is a mist */
+    float bloom_threshold; /* what is beyond this spreads, of radiance times exposure; >= 0. 0: all
+                              light does. rt_default_frame_desc() has 1 */
+    float bloom_radius;    /* how far, as a part of the picture's height; 0 to 1.
+                              rt_default_frame_desc() has 0.15 */
+    uint32_t reserved;     /* 0 */
+    rt_array particles;    /* rt_particle: at most 2^24 */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1288,6 +1333,8 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.occlusion_tolerance = 0.13f;
     desc.occlusion_normal_tolerance = 0.3f;
     desc.occlusion_plane_tolerance = 0.1f;
+    desc.bloom_threshold = 1.0f;
+    desc.bloom_radius = 0.15f;
     return desc;
 }
 
@@ -1304,6 +1351,7 @@ typedef struct rt_frame_stats {
     uint64_t rays_bounced;   /* that mirrors and glass sent on */
     uint64_t rays_occlusion; /* for ambient occlusion; not in rays_shadow */
     uint64_t occlusion_points; /* of pixels: where it was found, not interpolated */
+    uint64_t rays_particle;    /* to particles that are within the picture */
 } rt_frame_stats;
 
 static inline rt_frame_stats rt_default_frame_stats(void) {
@@ -1431,6 +1479,7 @@ typedef struct rt_api {
     rt_result (*resolve_surfaces)(rt_scene scene, const rt_resolve_desc* desc);
     rt_result (*govern_frame)(rt_governor* governor, rt_frame_desc* frame,
                               const rt_frame_stats* last);
+    rt_result (*set_fog)(rt_scene scene, const rt_fog* fog);
 } rt_api;
 
 /* The table for hosts that load the library by hand; look this one symbol up. `version` is the

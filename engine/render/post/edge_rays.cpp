@@ -2,10 +2,13 @@
 
 #include "render/bounces.h"
 #include "render/film.h"
+#include "render/post/bloom.h"
 #include "render/post/kernels.h"
 #include "render/post/shown.h"
 #include "render/primary_rays.h"
+#include "render/shading.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace peregrine::render::post {
@@ -37,6 +40,8 @@ public:
         const uint32_t ray_count = count_ * pattern_.count;
         trace_rays_from_eye(plan_, buffers_, ray_count, nullptr);
         shade(ray_count);
+        if (plan_.particles) add_particles();
+        if (plan_.bloom) spread_light(ray_count);
         const auto to_shown = kernels(plan_.snapshot.isa()).to_shown;
         for (float* const channel : buffers_.colors.channel)
             to_shown(plan_.frame.tone_mapping, plan_.frame.exposure, channel, ray_count, channel);
@@ -72,6 +77,37 @@ private:
             plan_.shader.shade(hits, colors.channel, buffers_.scratch);
             if (plan_.shader.has_sky()) plan_.shader.paint_sky(hits, colors.channel);
         });
+        if (plan_.fog.any()) hide_in_fog(plan_, buffers_, ray_count);
+    }
+
+    // Their light is that of the pixel's centre.
+    void add_particles() {
+        Film& film = *plan_.film;
+        for (uint32_t i = 0; i < count_; ++i)
+            for (int c = 0; c < 3; ++c) {
+                const float more = film.particles(c)[pixels_[i].y * film.stride() + pixels_[i].x];
+                float* const rays = buffers_.colors.channel[c] + i * pattern_.count;
+                for (uint32_t k = 0; k < pattern_.count; ++k) rays[k] += more;
+            }
+    }
+
+    // A pixel's rays get what the pixel gets; each gives its own.
+    void spread_light(uint32_t ray_count) {
+        alignas(64) float glow[3][kTilePadded];
+        float* light[3];
+        for (int c = 0; c < 3; ++c) {
+            light[c] = buffers_.colors.channel[c];
+            for (uint32_t i = 0; i < ray_count; ++i) light[c][i] = sane_radiance(light[c][i]);
+            std::fill_n(light[c] + ray_count, kTilePadded - kTileRays, 0.0f);
+        }
+        for (uint32_t i = 0; i < count_; ++i) {
+            const math::Vec3 each = plan_.bloom->glow_at(pixels_[i].x, pixels_[i].y);
+            for (int c = 0; c < 3; ++c)
+                std::fill_n(glow[c] + i * pattern_.count, pattern_.count, each[c]);
+        }
+        for (auto& lanes : glow) std::fill_n(lanes + ray_count, kTilePadded - kTileRays, 0.0f);
+        const float* const glows[3] = {glow[0], glow[1], glow[2]};
+        kernels(plan_.snapshot.isa()).spread(plan_.bloom->over_bright(), glows, ray_count, light);
     }
 
     // Of display values, which is how the eye will mix them.

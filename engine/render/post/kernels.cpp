@@ -6,16 +6,21 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "render/post/bloom-inl.h"
 #include "render/post/edges-inl.h"
 #include "render/post/encode-inl.h"
 #include "render/post/enlarge-inl.h"
 #include "render/post/kernels.h"
 #include "render/post/shown-inl.h"
+#include "render/post/sprites-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::render::post::HWY_NAMESPACE {
 
-constexpr Kernels kKernels = {to_shown, encode_bytes, find_edges, enlarge_row};
+constexpr Kernels kKernels = {
+    to_shown,      encode_bytes, find_edges,     enlarge_row, take_bright, halve_rows,
+    halve_columns, double_rows,  double_columns, mix,         spread,      add_sprite,
+};
 
 } // namespace peregrine::render::post::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

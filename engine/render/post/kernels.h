@@ -34,6 +34,37 @@ struct alignas(64) TapRow {
     float tap[3][4][kEnlargedBlock];
 };
 
+// What a bloom takes of a pixel's light: what its brightest channel has beyond the threshold, x of
+// it, bent to x / (1 + x / limit), so that no pixel gives more than the limit, times strength.
+struct OverBright {
+    float threshold;
+    float limit;
+    float strength;
+};
+
+// Six rows of a picture, of three channels.
+struct BrightRows {
+    const float* row[6][3];
+};
+
+// A soft disc of light on a picture.
+struct Sprite {
+    float x, y;                // its middle, in pixels
+    float by_width, by_height; // one over its radius, either way
+    float depth;               // of its middle, in metres
+    float by_depth;            // one over its radius
+    math::Vec3 color;          // in its middle
+};
+
+// Pixels of a tile, of rows of kStride.
+struct SpriteArea {
+    static constexpr uint32_t kStride = 32;
+
+    uint32_t left, top;        // of the tile in the picture
+    uint32_t begin_x, begin_y; // in the tile
+    uint32_t end_x, end_y;
+};
+
 // The loops of passes, compiled for each instruction set; all of them give the same bits. Arrays
 // are readable and writable up to the next multiple of 16.
 struct Kernels {
@@ -51,6 +82,27 @@ struct Kernels {
     // middle taps.
     void (*enlarge_row)(const TapRow* const rows[4], const float* x, float y, uint32_t count,
                         float* const shown[3]);
+
+    // Of a bloom's pyramid (post/bloom.h): six rows to a row of half the size, first as sums of
+    // columns, of the over-bright light of a picture or of a level, then from these. There `sum` is
+    // also read from two before its begin to two vectors beyond its end.
+    void (*take_bright)(const OverBright& bright, const BrightRows& rows, uint32_t count,
+                        float* const sums[3]);
+    void (*halve_rows)(const float* const rows[6], uint32_t count, float* sum);
+    void (*halve_columns)(const float* sum, uint32_t count, float* half);
+    // ... and four rows to one of twice the size. The rows are those of an upper one of each two;
+    // in the opposite order they give the lower one.
+    void (*double_rows)(const float* const rows[4], uint32_t count, float* sum);
+    void (*double_columns)(const float* sum, uint32_t count, float* twice);
+    // values * weight + with * (1 - weight).
+    void (*mix)(float weight, const float* with, uint32_t count, float* values);
+    // Takes from pixels what they give, and adds what they get.
+    void (*spread)(const OverBright& bright, const float* const glow[3], uint32_t count,
+                   float* const light[3]);
+
+    // Adds a sprite's light. `depth` and `light`: of all of the tile.
+    void (*add_sprite)(const Sprite& sprite, const SpriteArea& area, const float* depth,
+                       float* const light[3]);
 };
 
 // For this instruction set, or the plain one if it was not compiled. Does not ask the machine.

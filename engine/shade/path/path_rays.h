@@ -50,6 +50,7 @@ struct alignas(64) PathMemory {
     Surface::Lanes radiance[3]; // of a batch
     Surface::Lanes weight[3];
     Surface::Lanes absorption[3];
+    Surface::Lanes clear;    // of fog
     Media eye_media[kBatch]; // of rays from the eye
 
     // Of the rays that are being followed, and of what they hit.

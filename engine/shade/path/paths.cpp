@@ -14,6 +14,7 @@ static_assert(sizeof(PathRays::Lanes) % 64 == 0);
 struct Paths::Batch {
     const RayHits& hits; // its t counts along the path
     const float* t;      // of the rays themselves
+    const float* height; // at which they begin
     const Media* media;
     const uint32_t* pixel; // null: `first` and on
     uint32_t first;
@@ -22,9 +23,10 @@ struct Paths::Batch {
     uint32_t pixel_of(uint32_t i) const { return pixel ? pixel[i] : first + i; }
 };
 
-Paths::Paths(const scene::Snapshot& snapshot, const Shader& shader, const trace::Filter& filter,
-             const PathLimits& limits, const Media& eye)
-    : snapshot_(&snapshot), shader_(&shader), filter_(filter), limits_(limits), eye_(eye) {}
+Paths::Paths(const scene::Snapshot& snapshot, const Shader& shader, const Fog& fog,
+             const trace::Filter& filter, const PathLimits& limits, const Media& eye)
+    : snapshot_(&snapshot), shader_(&shader), fog_(fog.any() ? &fog : nullptr), filter_(filter),
+      limits_(limits), eye_(eye) {}
 
 void Paths::begin(PathRays* chunks, PathMemory& memory) const {
     memory.waiting = chunks;
@@ -60,12 +62,31 @@ bool Paths::absorb(const RayHits& hits, const float* t, const Media* media,
 void Paths::keep(const RayHits& hits, float* const colors[3], uint32_t first,
                  PathMemory& memory) const {
     memory.footprint = hits.footprint;
-    if (!memory.split.any && !eye_.any()) return;
+    if (!memory.split.any && !eye_.any() && !fog_) return;
     for (auto& weight : memory.weight) std::fill_n(weight, hits.count, 1.0f);
     if (eye_.any() && absorb(hits, hits.t, memory.eye_media, memory))
         for (int k = 0; k < 3; ++k)
             for (uint32_t i = 0; i < hits.count; ++i) colors[k][first + i] *= memory.weight[k][i];
-    send_on({hits, hits.t, memory.eye_media, nullptr, first, 0}, colors, memory);
+    if (fog_ && !eye_.any()) {
+        fog_->find_clear(hits, memory.clear);
+        float* const radiance[3] = {colors[0] + first, colors[1] + first, colors[2] + first};
+        fog_->veil(memory.clear, hits.count, radiance);
+        dim(hits.count, memory);
+    }
+    send_on({hits, hits.t, nullptr, memory.eye_media, nullptr, first, 0}, colors, memory);
+}
+
+// There is no fog in solids.
+void Paths::find_clear(const Batch& batch, PathMemory& memory) const {
+    fog_->find_clear(batch.height, batch.hits.direction, batch.t, batch.hits.count, memory.clear);
+    for (uint32_t i = 0; i < batch.hits.count; ++i)
+        if (batch.media[i].any()) memory.clear[i] = 1;
+}
+
+// What comes from behind fog counts for less.
+void Paths::dim(uint32_t count, PathMemory& memory) const {
+    for (auto& weight : memory.weight)
+        for (uint32_t i = 0; i < count; ++i) weight[i] *= memory.clear[i];
 }
 
 void Paths::send_on(const Batch& batch, float* const colors[3], PathMemory& memory) const {
@@ -120,7 +141,8 @@ void Paths::follow(uint32_t depth, float* const colors[3], PathMemory& memory,
                 memory.footprint};
             for (int k = 0; k < 3; ++k)
                 std::copy_n(rays.weight[k] + first, hits.count, memory.weight[k]);
-            shade({hits, memory.t + first, rays.media + first, rays.pixel + first, 0, depth},
+            shade({hits, memory.t + first, rays.origin[1] + first, rays.media + first,
+                   rays.pixel + first, 0, depth},
                   colors, memory, scratch);
         }
         rays.count = 0;
@@ -166,9 +188,14 @@ void Paths::shade(const Batch& batch, float* const colors[3], PathMemory& memory
     float* const radiance[3] = {memory.radiance[0], memory.radiance[1], memory.radiance[2]};
     shader_->find_radiance(batch.hits, radiance, scratch);
     if (shader_->has_sky()) shader_->paint_sky(batch.hits, radiance);
+    if (fog_) {
+        find_clear(batch, memory);
+        fog_->veil(memory.clear, batch.hits.count, radiance);
+    }
     for (uint32_t i = 0; i < batch.hits.count; ++i)
         for (int k = 0; k < 3; ++k)
             colors[k][batch.pixel[i]] += memory.weight[k][i] * radiance[k][i];
+    if (fog_) dim(batch.hits.count, memory);
     send_on(batch, colors, memory);
 }
 

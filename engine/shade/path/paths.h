@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shade/air/fog.h"
 #include "shade/path/path_rays.h"
 #include "shade/shader.h"
 #include "trace/filter.h"
@@ -21,8 +22,8 @@ struct PathLimits {
 class Paths {
 public:
     // `filter`: of primary rays. `eye`: what the eye is in.
-    Paths(const scene::Snapshot& snapshot, const Shader& shader, const trace::Filter& filter,
-          const PathLimits& limits, const Media& eye);
+    Paths(const scene::Snapshot& snapshot, const Shader& shader, const Fog& fog,
+          const trace::Filter& filter, const PathLimits& limits, const Media& eye);
 
     bool any() const { return limits_.max_depth > 0; }
     uint32_t chunk_count() const { return 2 * limits_.max_depth; }
@@ -48,12 +49,15 @@ private:
                Scratch& scratch) const;
     void split(const RayHits& hits, const Media* media, PathMemory& memory, Scratch& scratch) const;
     bool absorb(const RayHits& hits, const float* t, const Media* media, PathMemory& memory) const;
+    void find_clear(const Batch& batch, PathMemory& memory) const;
+    void dim(uint32_t count, PathMemory& memory) const;
     void send_on(const Batch& batch, const SplitRays::Branch& branch, PathRays* to,
                  float* const colors[3], PathMemory& memory) const;
     void send_on(const Batch& batch, float* const colors[3], PathMemory& memory) const;
 
     const scene::Snapshot* snapshot_;
     const Shader* shader_;
+    const Fog* fog_; // null: none
     trace::Filter filter_;
     PathLimits limits_;
     Media eye_;
