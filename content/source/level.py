@@ -524,6 +524,8 @@ def sky_dome(radius: float) -> Mesh:
 
 def court_fittings(scene: Scene) -> None:
     scene.put("fountain", 20.0, 0, -15.0)
+    scene.mark("spray_0", 20.0, 3.05, -15.0)
+    scene.mark("mist_0", 19.0, 1.7, -16.0)
     scene.light("fountain", 20.0, 3.9, -13.6, MOON, 10, 8)
     for k in range(14):
         a = 2 * math.pi * k / 14

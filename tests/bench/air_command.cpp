@@ -6,7 +6,8 @@
 #include "means.h"
 #include "timing.h"
 
-#include "air.h"
+#include "effects/embers.h"
+#include "effects/mist.h"
 #include "gltf/import.h"
 #include "image_file.h"
 #include "plugin.h"
