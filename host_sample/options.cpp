@@ -178,6 +178,9 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
            "with --view-only or --headless: find light in blocks of 4, 8 or 16 pixels [0: at "
            "every pixel]")
         ->check(CLI::IsMember({0, 1, 4, 8, 16}));
+    app.add_option("--edges", options.edge_samples,
+                   "with --view-only or --headless: rays a pixel where neighbours differ [1]")
+        ->check(CLI::Range(1u, 16u));
     app.add_option("--occlusion", options.occlusion_range,
                    "with --view-only or --headless: surfaces nearer than so many metres keep "
                    "ambient light from each other [0]")

@@ -39,6 +39,7 @@ struct Options {
     std::optional<float> scale; // none: 1, or in the game as the player has set it
     bool no_shadows = false;
     uint32_t light_block = 0;     // rt_frame_desc::light_block
+    uint32_t edge_samples = 1;    // rt_frame_desc::edge_samples
     float occlusion_range = 0.0f; // rt_frame_desc::occlusion_range, ...
     uint32_t occlusion_block = 8;
     bool light_proofs = false;

@@ -47,6 +47,7 @@ struct Session {
         frame.view = options.view;
         frame.no_shadows = options.no_shadows;
         frame.light_block = options.light_block;
+        frame.edge_samples = options.edge_samples;
         frame.occlusion_block = options.occlusion_block;
         if (options.effects) choose(*options.effects, frame);
         if (options.bloom > 0.0f) frame.bloom = options.bloom;
