@@ -4,8 +4,8 @@
 #include <iostream>
 #include <new>
 
-#include "air.h"
 #include "cameras.h"
+#include "effects/mist.h"
 #include "error.h"
 #include "game/command.h"
 #include "headless.h"
@@ -95,9 +95,12 @@ int view(const Options& options) {
     Player player(stage, level, upload_level(stage, level, options.ambient.value_or(0.15f)));
     if (options.fog) set_fog(stage, level, *options.fog, options.ambient.value_or(0.15f));
     player.describe(options.time);
+    LevelEffects effects(stage, level, player.uploaded().lights, !options.fog);
+    const bool has_effects = options.effects.value_or(Effects::plain) != Effects::plain;
+    if (has_effects) effects.describe(options.time, player.follow(cameras[camera]).position);
     const rt_commit_report report = build(stage, options);
     Session session{options, level, std::move(cameras), camera, stage, player, report, {}, 0, 0};
-    session.embers = make_embers(level, options.embers, options.time);
+    if (has_effects) session.effects = &effects;
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);
     return 0;

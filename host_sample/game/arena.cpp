@@ -40,6 +40,7 @@ Arena::Arena(const Options& options, const Progress& progress)
       stage_(plugin_.api(), options.threads, options.isa),
       player_(stage_, level_,
               upload_level(stage_, level_, options.ambient.value_or(night_ambient))),
+      effects_(stage_, level_, player_.uploaded().lights, !options.fog),
       commit_(rt_default_commit_desc()) {
     commit_.structure = options.structure;
     commit_.quality = options.build;

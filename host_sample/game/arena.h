@@ -18,6 +18,7 @@ public:
     Arena(const Options& options, const Progress& progress);
 
     Stage& stage() { return stage_; }
+    LevelEffects& effects() { return effects_; }
     const three_cores::Plan& plan() const { return plan_; }
     const rt_commit_desc& commit() const { return commit_; }
     std::string level_name() const; // as players read it
@@ -30,6 +31,7 @@ private:
     Plugin plugin_;
     Stage stage_;
     Player player_;
+    LevelEffects effects_;
     rt_commit_desc commit_;
     rt_commit_report report_;
     three_cores::Plan plan_;

@@ -35,7 +35,8 @@ struct Options {
 };
 
 // Each prints a table, and returns its rows as JSON text.
-std::string run_air(const Options& options);
+std::string run_features(const Options& options);
+std::string run_paper(const Options& options);
 std::string run_build(const Options& options);
 std::string run_frame(const Options& options);
 std::string run_prices(const Options& options);
