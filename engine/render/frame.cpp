@@ -36,6 +36,7 @@ public:
           workers_(std::min(scheduler.concurrency(), tiles_of(plan_.extent)), memory),
           tile_lights_(frame.keeps_light() ? workers_.size() : 0, memory),
           tile_openness_(plan_.shader.finds_openness() ? workers_.size() : 0, memory),
+          program_memory_(plan_.shader.has_programs() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
           path_room_(plan_, workers_.size(), memory),
           edges_(frame.looks_for_edges() ? workers_.size() : 0, memory) {}
@@ -50,6 +51,7 @@ public:
                 workers_[i].openness = &tile_openness_[i];
                 workers_[i].scratch.openness = &tile_openness_[i].memory;
             }
+            if (!program_memory_.empty()) workers_[i].scratch.programs = &program_memory_[i];
             begin_primary_rays(plan_, workers_[i]);
         });
         if (particles_)
@@ -77,6 +79,10 @@ public:
         for (const shade::TileOpenness& openness : tile_openness_) {
             stats.rays_occlusion += openness.memory.ray_count;
             stats.occlusion_points += openness.point_count;
+        }
+        for (const shade::ProgramMemory& programs : program_memory_) {
+            stats.program_hits += programs.hit_count;
+            stats.program_faults += programs.fault_count;
         }
     }
 
@@ -172,8 +178,9 @@ private:
     std::optional<Particles> particles_;
     const Plan plan_;
     base::Vector<TileBuffers> workers_;
-    base::Vector<shade::TileLight> tile_lights_;      // of each worker
-    base::Vector<shade::TileOpenness> tile_openness_; // of each worker
+    base::Vector<shade::TileLight> tile_lights_;        // of each worker
+    base::Vector<shade::TileOpenness> tile_openness_;   // of each worker
+    base::Vector<shade::ProgramMemory> program_memory_; // of each worker
     shade::LightRoom light_room_;
     PathRoom path_room_;
     base::Vector<post::EdgeCounts> edges_; // of each worker

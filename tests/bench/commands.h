@@ -48,6 +48,7 @@ std::string run_glass(const Options& options);
 std::string run_falloff(const Options& options);
 std::string run_kernels(const Options& options);
 std::string run_lamps(const Options& options);
+std::string run_programs(const Options& options);
 std::string run_queries(const Options& options);
 
 std::vector<std::string> query_item_names();

@@ -180,13 +180,16 @@ int run(int argc, char** argv) {
     CLI::App* features =
         app.add_subcommand("features", "what each feature of a picture adds to a frame");
     CLI::App* paper = app.add_subcommand("paper", "the two tables of the paper, with our scenes");
+    CLI::App* programs =
+        app.add_subcommand("programs", "shading programs of the host, beside the library's own");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
-    for (CLI::App* command : {falloff, kernels, glass}) add_output_options(*command, options);
+    for (CLI::App* command : {falloff, kernels, glass, programs})
+        add_output_options(*command, options);
     for (CLI::App* command :
          {build, frame, prices, door, trace, moving, queries, grenade, lamps, features, paper})
         add_options(*command, options);
-    for (CLI::App* command :
-         {build, frame, prices, door, trace, moving, grenade, lamps, glass, features, paper})
+    for (CLI::App* command : {build, frame, prices, door, trace, moving, grenade, lamps, glass,
+                              features, paper, programs})
         add_threads_option(*command, options);
     add_trace_options(*trace, options);
     add_query_options(*queries, options);
@@ -200,7 +203,8 @@ int run(int argc, char** argv) {
                      "SAH cost of a split that cuts off empty space: times 1 - this")
         ->check(CLI::Range(0.0, 1.0));
     add_frame_options(*frame, options);
-    for (CLI::App* command : {frame, lamps, features, paper}) add_size_option(*command, options);
+    for (CLI::App* command : {frame, lamps, features, paper, programs})
+        add_size_option(*command, options);
     lamps
         ->add_option("--least-light", options.least_light,
                      "Lamps that give a place less are left out: steps of the display")
@@ -218,7 +222,7 @@ int run(int argc, char** argv) {
     for (CLI::App* command : {glass, features})
         command->add_option("--pictures", options.pictures, "Write a picture each to this folder");
     for (CLI::App* command : {frame, prices, door, trace, moving, queries, grenade, falloff, lamps,
-                              glass, features, paper})
+                              glass, features, paper, programs})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
@@ -234,6 +238,7 @@ int run(int argc, char** argv) {
                              : *kernels  ? peregrine::bench::run_kernels(options)
                              : *features ? peregrine::bench::run_features(options)
                              : *paper    ? peregrine::bench::run_paper(options)
+                             : *programs ? peregrine::bench::run_programs(options)
                              : *glass    ? peregrine::bench::run_glass(options)
                              : *lamps    ? peregrine::bench::run_lamps(options)
                              : *queries  ? peregrine::bench::run_queries(options)

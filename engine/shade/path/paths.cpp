@@ -186,7 +186,8 @@ void Paths::shade(const Batch& batch, float* const colors[3], PathMemory& memory
     split(batch.hits, batch.media, memory, scratch);
     shader_->gather_light(batch.hits, scratch, nullptr);
     float* const radiance[3] = {memory.radiance[0], memory.radiance[1], memory.radiance[2]};
-    shader_->find_radiance(batch.hits, radiance, scratch);
+    const AskedRays asked{memory.split, batch.media};
+    shader_->find_radiance(batch.hits, radiance, scratch, &asked);
     if (shader_->has_sky()) shader_->paint_sky(batch.hits, radiance);
     if (fog_) {
         find_clear(batch, memory);
