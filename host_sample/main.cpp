@@ -91,16 +91,22 @@ int view(const Options& options) {
     if (options.list_cameras) return list_cameras(cameras);
 
     const Plugin plugin(options.library);
+    Ripples ripples;
     Stage stage(plugin.api(), options.threads, options.isa);
-    Player player(stage, level, upload_level(stage, level, options.ambient.value_or(0.15f)));
+    const bool has_effects = options.effects.value_or(Effects::plain) != Effects::plain;
+    Player player(stage, level,
+                  upload_level(stage, level, options.ambient.value_or(0.15f),
+                               has_effects ? ripples.add_to(stage) : rt_program{}));
     if (options.fog) set_fog(stage, level, *options.fog, options.ambient.value_or(0.15f));
     player.describe(options.time);
     LevelEffects effects(stage, level, player.uploaded().lights, !options.fog);
-    const bool has_effects = options.effects.value_or(Effects::plain) != Effects::plain;
     if (has_effects) effects.describe(options.time, player.follow(cameras[camera]).position);
     const rt_commit_report report = build(stage, options);
     Session session{options, level, std::move(cameras), camera, stage, player, report, {}, 0, 0};
-    if (has_effects) session.effects = &effects;
+    if (has_effects) {
+        session.effects = &effects;
+        session.ripples = &ripples;
+    }
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);
     return 0;

@@ -7,6 +7,7 @@
 #include "effects/choose.h"
 #include "effects/embers.h"
 #include "effects/level_effects.h"
+#include "effects/ripples.h"
 #include "frame_log.h"
 #include "level.h"
 #include "options.h"
@@ -26,7 +27,8 @@ struct Session {
     rt_commit_report report; // of the first commit
     FrameLog log;
     uint32_t width = 0, height = 0;  // of the last frame
-    LevelEffects* effects = nullptr; // null: none
+    LevelEffects* effects = nullptr; // null: none, ...
+    Ripples* ripples = nullptr;      // ... and neither has water waves
     std::vector<rt_particle> particles{};
 
     // The chosen camera as it is now.
@@ -35,6 +37,7 @@ struct Session {
     void show_moment(double seconds, const glm::dvec3& eye) {
         particles = make_embers(level, options.embers, seconds);
         if (effects) effects->add_particles(seconds, particles);
+        if (ripples) ripples->set_time(seconds);
         const bool changed = effects && effects->describe(seconds, eye);
         player.show(seconds, options.structure, options.build, changed);
     }

@@ -11,7 +11,7 @@ namespace host {
 namespace {
 
 constexpr double tongue_life = 0.7; // seconds
-constexpr double below_lamp = 0.5; // metres: where flames begin
+constexpr double below_lamp = 0.5;  // metres: where flames begin
 
 struct Kind {
     std::string_view name;

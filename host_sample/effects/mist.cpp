@@ -7,7 +7,7 @@ namespace host {
 
 namespace {
 
-constexpr float mist_density = 0.1f;            // per metre
+constexpr float mist_density = 0.1f;             // per metre
 constexpr double mist_depth = 1.4;               // metres: how thick its thinning top is
 constexpr double near_enough = 8.0, gone = 16.0; // metres from the place
 constexpr glm::vec3 mist_color(0.085f, 0.105f, 0.14f);

@@ -39,7 +39,8 @@ Arena::Arena(const Options& options, const Progress& progress)
     : options_(options), level_(import_level(options, progress)), plugin_(options.library),
       stage_(plugin_.api(), options.threads, options.isa),
       player_(stage_, level_,
-              upload_level(stage_, level_, options.ambient.value_or(night_ambient))),
+              upload_level(stage_, level_, options.ambient.value_or(night_ambient),
+                           ripples_.add_to(stage_))),
       effects_(stage_, level_, player_.uploaded().lights, !options.fog),
       commit_(rt_default_commit_desc()) {
     commit_.structure = options.structure;

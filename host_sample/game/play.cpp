@@ -150,6 +150,7 @@ void Play::render(double seconds, rt_snapshot snapshot) {
     const bool due = live_ || rendered_ >= title_frame;
     if (screen_ == Screen::playing || (due && picture_.is_outdated(view_))) {
         exposed_ = exposure_.drift(view_, rendered_);
+        arena_.ripples().set_time(live_ ? live_->shown().status.seconds : titled_);
         picture_.show(view_, exposed_, snapshot, shine());
         rendered_ = 0.0;
     } else {
