@@ -51,6 +51,12 @@ void set_fog(Stage& stage, const Level& level, const Fog& fog, float ambient) {
     stage.check(stage.api().set_fog(stage.scene(), &desc), "setting the fog");
 }
 
+void light_fog(Level& level, float part) {
+    for (Light& light : level.lights)
+        if (light.type != LightType::directional && std::isfinite(light.radius))
+            light.fog_scatter = part;
+}
+
 std::vector<rt_particle> make_embers(const Level& level, uint32_t count, double seconds) {
     std::vector<const Light*> lamps;
     for (const Light& light : level.lights)

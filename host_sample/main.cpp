@@ -86,6 +86,7 @@ int list_pads(const Options& options) {
 int view(const Options& options) {
     Level level = load_level(options, options.animation);
     for (Light& light : level.lights) light.source_radius = options.lamp_radius;
+    light_fog(level, options.fog_lamps);
     auto cameras = usable_cameras(level);
     const size_t camera = find_camera(cameras, options.camera);
     if (options.list_cameras) return list_cameras(cameras);

@@ -193,6 +193,13 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--fog", texts.fog,
                    "with --view-only or --headless: DENSITY,TOP of fog, per metre and metres above "
                    "the lowest place of the scene [none]");
+    app.add_option("--fog-lamps", options.fog_lamps,
+                   "with --view-only or --headless: the part of what fog takes from the light of "
+                   "lamps that one sees [0]")
+        ->check(CLI::Range(0.0f, 1.0f));
+    app.add_option("--fog-shadows", options.fog_shadows,
+                   "pieces in which shadows in that are found, at most 32; 0: it has none [8]")
+        ->check(CLI::Range(0u, 32u));
     app.add_option("--embers", options.embers,
                    "with --view-only or --headless: particles that rise from the scene's lamps [0]")
         ->check(CLI::Range(0u, 1000000u));

@@ -43,7 +43,9 @@ struct Options {
     float lamp_radius = 0.0f; // rt_light_desc::source_radius of all lights
     float bloom = 0.0f;       // rt_frame_desc::bloom
     std::optional<Fog> fog;
-    uint32_t embers = 0; // particles above the lamps
+    float fog_lamps = 0.0f;   // rt_light_desc::fog_scatter of all lamps
+    uint32_t fog_shadows = 8; // rt_frame_desc::airlight_shadows
+    uint32_t embers = 0;      // particles above the lamps
     bool list_cameras = false;
     bool list_pads = false;
     std::string pad_map; // a file; see pads/player_mappings.h

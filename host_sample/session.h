@@ -41,6 +41,7 @@ struct Session {
         frame.occlusion_range = options.occlusion_range;
         frame.occlusion_block = options.occlusion_block;
         frame.bloom = options.bloom;
+        frame.airlight_shadows = options.fog_shadows;
         frame.particles = to_array(embers);
         const double diagonal = level.bounds.diagonal();
         if (diagonal > 0.0) frame.depth_range = static_cast<float>(diagonal);

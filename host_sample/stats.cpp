@@ -28,7 +28,8 @@ constexpr std::pair<uint32_t, const char*> features[] = {
     {RT_FEATURE_TRANSMISSION, "transmission"},
     {RT_FEATURE_BLENDING, "blending"},
     {RT_FEATURE_SKY, "sky"},
-    {RT_FEATURE_FOG, "fog"}};
+    {RT_FEATURE_FOG, "fog"},
+    {RT_FEATURE_AIRLIGHT, "airlight"}};
 
 Json describe_left_out(uint32_t bits) {
     Json names = Json::array();

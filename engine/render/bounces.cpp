@@ -27,7 +27,7 @@ void shade_and_follow(const Plan& plan, TileBuffers& buffers, uint32_t count, fl
         const TileBuffers::Channels radiance = buffers.colors_from(first);
         plan.shader.find_radiance(hits, radiance.channel, scratch);
         if (plan.shader.has_sky()) plan.shader.paint_sky(hits, radiance.channel);
-        plan.paths.keep(hits, colors, first, memory);
+        plan.paths.keep(hits, colors, first, memory, scratch);
     });
     plan.paths.follow(colors, memory, scratch);
 }

@@ -27,7 +27,8 @@ enum Feature : uint32_t {
     kBlending = 1u << 11,
     kSky = 1u << 12,
     kFog = 1u << 13,
-    kAllFeatures = (1u << 14) - 1,
+    kAirlight = 1u << 14,
+    kAllFeatures = (1u << 15) - 1,
 };
 
 // Of materials at which paths go on.

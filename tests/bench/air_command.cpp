@@ -1,4 +1,4 @@
-// What bloom, fog and particles add to a frame.
+// What bloom, fog, light in it and particles add to a frame.
 #include "commands.h"
 #include "frame_stage.h"
 #include "image_size.h"
@@ -16,17 +16,20 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace peregrine::bench {
 namespace {
 
 constexpr host::Fog kFog{0.05f, 3};
-constexpr float kBloom = 0.2f, kAmbient = 0.1f;
+constexpr float kBloom = 0.2f, kAmbient = 0.1f, kScatter = 0.5f;
 
 struct Setting {
     const char* name;
     bool blooms = false, fog = false;
     uint32_t particles = 0;
+    bool lit = false;                // fog by all lamps, ...
+    uint32_t shadows = 0, block = 1; // ... with rt_frame_desc::airlight_shadows, _block
 };
 constexpr Setting kSettings[] = {
     {.name = "none"},
@@ -34,6 +37,11 @@ constexpr Setting kSettings[] = {
     {.name = "particles", .particles = 2000},
     {.name = "many particles", .particles = 100000},
     {.name = "fog", .fog = true},
+    {.name = "lit fog", .lit = true},
+    {.name = "shadows in 2x2", .lit = true, .shadows = 8, .block = 2},
+    {.name = "shadows in 4x4", .lit = true, .shadows = 8, .block = 4},
+    {.name = "of each pixel", .lit = true, .shadows = 8},
+    {.name = "fine shadows", .lit = true, .shadows = 32},
     {.name = "all", .blooms = true, .fog = true, .particles = 2000},
 };
 
@@ -75,12 +83,27 @@ private:
         stage.check(stage.api().commit_scene(stage.scene(), nullptr, nullptr), "building");
     }
 
+    // Of the same scene with lamps that fog scatters.
+    FrameStage& lit_stage() {
+        if (lit_stage_) return *lit_stage_;
+        host::light_fog(level_, kScatter);
+        lit_stage_.emplace(stage_.stage().api(), level_, options_.threads, RT_LIGHT_PROOFS_KEPT,
+                           to_isa(options_.isa));
+        host::Stage& stage = lit_stage_->stage();
+        host::set_fog(stage, level_, kFog, kAmbient);
+        stage.check(stage.api().commit_scene(stage.scene(), nullptr, nullptr), "building");
+        return *lit_stage_;
+    }
+
     double render(const Setting& setting, const std::vector<rt_particle>& embers, size_t view) {
-        show_fog(setting.fog);
+        FrameStage& stage = setting.lit ? lit_stage() : stage_;
+        if (!setting.lit) show_fog(setting.fog);
         rt_frame_desc frame = memory_.frame(Look::direct);
         frame.bloom = setting.blooms ? kBloom : 0;
         frame.particles = host::to_array(embers);
-        const Seconds seconds = stage_.render(frame, views_[view]).seconds;
+        frame.airlight_shadows = setting.shadows;
+        frame.airlight_block = setting.block;
+        const Seconds seconds = stage.render(frame, views_[view]).seconds;
         return 1e3 * (options_.threads == 1 ? seconds.processor : seconds.wall);
     }
 
@@ -117,6 +140,7 @@ private:
     ImageSize size_;
     FrameMemory memory_;
     FrameStage stage_;
+    std::optional<FrameStage> lit_stage_;
     bool has_fog_ = false;
 };
 
