@@ -113,6 +113,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     frame.bounces = to_bounces(in);
     frame.occlusion = to_occlusion(in);
     frame.bloom = to_bloom(in);
+    read_airlight(in, frame);
     return frame;
 }
 

@@ -2,6 +2,7 @@
 
 #include "check.h"
 #include "read_array.h"
+#include "shade/air/airlight.h"
 #include "shade/occlusion/open_rays.h"
 
 #include <algorithm>
@@ -101,8 +102,21 @@ render::Bloom to_bloom(const rt_frame_desc& in) {
     require_part(in.bloom, "rt_frame_desc.bloom");
     require_least_zero(in.bloom_threshold, "rt_frame_desc.bloom_threshold");
     require_part(in.bloom_radius, "rt_frame_desc.bloom_radius");
-    require_zero(in.reserved, "rt_frame_desc.reserved");
     return {in.bloom, in.bloom_threshold, in.bloom_radius};
+}
+
+void read_airlight(const rt_frame_desc& in, render::Frame& frame) {
+    if (in.airlight_shadows > shade::kMostPieces)
+        base::fail(base::Code::invalid_argument,
+                   "rt_frame_desc.airlight_shadows is %u; it must be at most %u",
+                   in.airlight_shadows, shade::kMostPieces);
+    frame.airlight_pieces = in.airlight_shadows;
+    const uint32_t block = std::max(in.airlight_block, 1u);
+    if (block != 1 && block != 2 && block != 4)
+        base::fail(base::Code::invalid_argument,
+                   "rt_frame_desc.airlight_block is %u; it must be 0, 1, 2 or 4", block);
+    frame.airlight_block = block;
+    require_zero(in.reserved, "rt_frame_desc.reserved");
 }
 
 base::Vector<render::Particle> to_particles(const rt_frame_desc& in, const double (&eye)[3],

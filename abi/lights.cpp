@@ -36,6 +36,19 @@ void check_radius(const rt_light_desc& desc) {
     if (!directional) require_positive(desc.radius, "rt_light_desc.radius");
 }
 
+// Seen in fog is what is near a place.
+void check_fog_scatter(const rt_light_desc& desc) {
+    if (!(desc.fog_scatter >= 0 && desc.fog_scatter <= 1))
+        base::fail(base::Code::invalid_argument,
+                   "rt_light_desc.fog_scatter is %g; it must be 0 to 1", double(desc.fog_scatter));
+    if (desc.fog_scatter > 0
+        && (desc.type == RT_LIGHT_DIRECTIONAL
+            || desc.radius == std::numeric_limits<float>::infinity()))
+        base::fail(base::Code::invalid_argument,
+                   "rt_light_desc.fog_scatter is %g, but the light is directional or has no end",
+                   double(desc.fog_scatter));
+}
+
 // NaN is refused in every field, ranges only where the type of light reads them.
 void check(const rt_light_desc& desc) {
     require_enum(desc.type, RT_LIGHT_DIRECTIONAL, "rt_light_desc.type");
@@ -46,7 +59,7 @@ void check(const rt_light_desc& desc) {
     require_finite(desc.cone_outer_cos, "rt_light_desc.cone_outer_cos");
     require_flag(desc.casts_no_shadow, "rt_light_desc.casts_no_shadow");
     require_enum(desc.falloff, RT_FALLOFF_INVERSE_SQUARE, "rt_light_desc.falloff");
-    require_zero(desc.reserved, "rt_light_desc.reserved");
+    check_fog_scatter(desc);
     require_least_zero(desc.source_radius, "rt_light_desc.source_radius");
     if (desc.shadow_samples > shade::kMostSpherePoints)
         base::fail(base::Code::invalid_argument,
@@ -78,6 +91,7 @@ scene::Light to_light(const rt_light_desc& desc) {
     light.cone_outer_cos = desc.cone_outer_cos;
     light.casts_shadow = desc.casts_no_shadow == 0;
     light.source_radius = desc.source_radius;
+    light.fog_scatter = desc.fog_scatter;
     if (desc.shadow_samples > 0) light.shadow_samples = desc.shadow_samples;
     return light;
 }

@@ -69,6 +69,7 @@ struct Light {
     glm::vec3 intensity{1.0f};
     float radius = 10.0f;       // infinite: no end
     float source_radius = 0.0f; // rt_light_desc::source_radius
+    float fog_scatter = 0.0f;   // rt_light_desc::fog_scatter
     float cone_inner_cos = 1.0f, cone_outer_cos = 0.70710678f;
     uint32_t node = no_index; // of the rig: what it follows
 };

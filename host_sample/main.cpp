@@ -86,6 +86,9 @@ int list_pads(const Options& options) {
 int view(const Options& options) {
     Level level = load_level(options, options.animation);
     for (Light& light : level.lights) light.source_radius = options.lamp_radius;
+    const bool has_effects = options.effects.value_or(Effects::plain) != Effects::plain;
+    if (has_effects) light_mist(level);
+    if (options.fog_lamps > 0.0f) light_fog(level, options.fog_lamps);
     auto cameras = usable_cameras(level);
     const size_t camera = find_camera(cameras, options.camera);
     if (options.list_cameras) return list_cameras(cameras);
@@ -93,7 +96,6 @@ int view(const Options& options) {
     const Plugin plugin(options.library);
     Ripples ripples;
     Stage stage(plugin.api(), options.threads, options.isa);
-    const bool has_effects = options.effects.value_or(Effects::plain) != Effects::plain;
     Player player(stage, level,
                   upload_level(stage, level, options.ambient.value_or(0.15f),
                                has_effects ? ripples.add_to(stage) : rt_program{}));

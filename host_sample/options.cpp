@@ -203,6 +203,13 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
         "--effects", texts.effects,
         "plain; full: glow, fires, spray and mist where the level has them; rich: ambient "
         "occlusion, too [plain; in the game as its options say]");
+    app.add_option("--fog-lamps", options.fog_lamps,
+                   "with --view-only or --headless: the part of what fog takes from the light of "
+                   "lamps that one sees [0]")
+        ->check(CLI::Range(0.0f, 1.0f));
+    app.add_option("--fog-shadows", options.fog_shadows,
+                   "pieces in which shadows in that are found, at most 32; 0: it has none [8]")
+        ->check(CLI::Range(0u, 32u));
     app.add_option("--embers", options.embers,
                    "with --view-only or --headless: particles that rise from the scene's lamps [0]")
         ->check(CLI::Range(0u, 1000000u));

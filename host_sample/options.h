@@ -46,6 +46,8 @@ struct Options {
     float lamp_radius = 0.0f; // rt_light_desc::source_radius of all lights
     float bloom = 0.0f;       // rt_frame_desc::bloom
     std::optional<Fog> fog;
+    float fog_lamps = 0.0f;         // rt_light_desc::fog_scatter of all lamps
+    uint32_t fog_shadows = 8;       // rt_frame_desc::airlight_shadows
     std::optional<Effects> effects; // none: plain, or in the game as the player has set it
     uint32_t embers = 0;            // particles above the lamps
     bool list_cameras = false;

@@ -55,6 +55,7 @@ struct Session {
         if (options.effects) choose(*options.effects, frame);
         if (options.bloom > 0.0f) frame.bloom = options.bloom;
         if (options.occlusion_range > 0.0f) frame.occlusion_range = options.occlusion_range;
+        if (options.fog_lamps > 0.0f) frame.airlight_shadows = options.fog_shadows;
         frame.particles = to_array(particles);
         const double diagonal = level.bounds.diagonal();
         if (diagonal > 0.0) frame.depth_range = static_cast<float>(diagonal);

@@ -184,6 +184,7 @@ rt_light_desc describe_light(const Light& light) {
     copy3(light.intensity, desc.intensity);
     desc.radius = light.radius; // with the fall-off of a new desc, which is glTF's
     desc.source_radius = light.source_radius;
+    desc.fog_scatter = light.fog_scatter;
     desc.cone_inner_cos = light.cone_inner_cos;
     desc.cone_outer_cos = light.cone_outer_cos;
     return desc;

@@ -28,7 +28,7 @@ void shade_and_follow(const Plan& plan, TileBuffers& buffers, uint32_t count, fl
         const shade::AskedRays asked = plan.paths.asked_rays(memory);
         plan.shader.find_radiance(hits, radiance.channel, scratch, &asked);
         if (plan.shader.has_sky()) plan.shader.paint_sky(hits, radiance.channel);
-        plan.paths.keep(hits, colors, first, memory);
+        plan.paths.keep(hits, colors, first, memory, scratch);
     });
     plan.paths.follow(colors, memory, scratch);
 }

@@ -37,6 +37,7 @@ public:
           tile_lights_(frame.keeps_light() ? workers_.size() : 0, memory),
           tile_openness_(plan_.shader.finds_openness() ? workers_.size() : 0, memory),
           program_memory_(plan_.shader.has_programs() ? workers_.size() : 0, memory),
+          airlight_(plan_.airlight.any() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
           path_room_(plan_, workers_.size(), memory),
           edges_(frame.looks_for_edges() ? workers_.size() : 0, memory) {}
@@ -52,6 +53,10 @@ public:
                 workers_[i].scratch.openness = &tile_openness_[i].memory;
             }
             if (!program_memory_.empty()) workers_[i].scratch.programs = &program_memory_[i];
+            if (!airlight_.empty()) {
+                workers_[i].scratch.airlight = &airlight_[i];
+                plan_.airlight.begin(plan_.eye, airlight_[i]);
+            }
             begin_primary_rays(plan_, workers_[i]);
         });
         if (particles_)
@@ -181,6 +186,7 @@ private:
     base::Vector<shade::TileLight> tile_lights_;        // of each worker
     base::Vector<shade::TileOpenness> tile_openness_;   // of each worker
     base::Vector<shade::ProgramMemory> program_memory_; // of each worker
+    base::Vector<shade::AirlightMemory> airlight_;      // of each worker
     shade::LightRoom light_room_;
     PathRoom path_room_;
     base::Vector<post::EdgeCounts> edges_; // of each worker

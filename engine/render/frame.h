@@ -109,6 +109,8 @@ struct Frame {
     Bounces bounces;
     Occlusion occlusion;
     Bloom bloom;
+    uint32_t airlight_pieces = 0; // see shade::AirShadows, ...
+    uint32_t airlight_block = 1;  // ... of which this is the group's side
     std::span<const Particle> particles;
 
     bool is_shaded() const { return pixels && view == View::shaded; }

@@ -74,6 +74,10 @@ shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera,
     return shader;
 }
 
+shade::AirShadows air_shadows(const Frame& frame) {
+    return {frame.shadows ? frame.airlight_pieces : 0, frame.airlight_block * frame.airlight_block};
+}
+
 shade::PathLimits path_limits(const scene::Snapshot& snapshot, const Frame& frame) {
     if (!frame.is_shaded() || !(snapshot.features & scene::kPathFeatures)) return {};
     return {frame.bounces.max_depth, frame.bounces.least_importance / frame.exposure};
@@ -123,7 +127,8 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
                       frame_.occlusion.plane_tolerance},
                      glm::length(pinhole.right)),
       fog(frame_.is_shaded() ? snapshot_.fog : scene::Fog(), shader.kernels(), shader.space(), eye),
-      paths(snapshot_, shader, fog, filter, path_limits(snapshot_, frame_),
+      airlight(snapshot_, fog, shader.lights(), shader.space(), air_shadows(frame_)),
+      paths(snapshot_, shader, fog, airlight, filter, path_limits(snapshot_, frame_),
             eye_media(*this, camera)) {
     if (frame.wants_planes()) stages_.add(fetch_planes);
     stages_.add(trace_primary_rays);

@@ -2,6 +2,7 @@
 
 #include "render/camera.h"
 #include "render/frame.h"
+#include "shade/air/airlight.h"
 #include "shade/air/fog.h"
 #include "shade/blocks/block_light.h"
 #include "shade/occlusion/block_openness.h"
@@ -41,6 +42,7 @@ struct Plan {
     shade::BlockLight block_light;       // of frames with light in blocks
     shade::BlockOpenness block_openness; // if the shader finds it
     shade::Fog fog;
+    shade::Airlight airlight;
     shade::Paths paths; // of scenes with mirrors or glass
 
     // All must outlive the plan; `moved_lights`: room for lights that are relative to the eye.

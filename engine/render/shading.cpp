@@ -41,7 +41,9 @@ void hide_in_fog(const Plan& plan, TileBuffers& buffers, uint32_t ray_count) {
     alignas(64) shade::Surface::Lanes clear;
     buffers.for_each_batch(ray_count, [&](const shade::RayHits& hits, uint32_t first) {
         plan.fog.find_clear(hits, clear);
-        plan.fog.veil(clear, hits.count, buffers.colors_from(first).channel);
+        const TileBuffers::Channels colors = buffers.colors_from(first);
+        plan.fog.veil(clear, hits.count, colors.channel);
+        if (plan.airlight.any()) plan.airlight.add(hits, colors.channel, buffers.scratch);
     });
 }
 

@@ -72,6 +72,7 @@ void Commit::show_environment() {
     snapshot_.environment = scene_.environment;
     snapshot_.features |= features_of(scene_.environment) | features_of(scene_.fog);
     snapshot_.fog = scene_.fog;
+    if (!scene_.fog.any()) snapshot_.features &= ~uint32_t(kAirlight);
     snapshot_.fog.top -= scene_.origin().y;
     snapshot_.fog.bottom -= scene_.origin().y;
     Sky& sky = snapshot_.environment.sky;

@@ -23,7 +23,8 @@ uint32_t features_of(const Material& material) {
 }
 
 uint32_t features_of(const Light& light) {
-    return kLights | (light.casts_shadow ? uint32_t(kShadows) : 0);
+    return kLights | (light.casts_shadow ? uint32_t(kShadows) : 0)
+           | (light.fog_scatter > 0 ? uint32_t(kAirlight) : 0);
 }
 
 uint32_t features_of(const Environment& environment) {

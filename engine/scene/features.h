@@ -29,7 +29,8 @@ enum Feature : uint32_t {
     kFog = 1u << 13,
     kPrograms = 1u << 14,
     kProgramRays = 1u << 15,
-    kAllFeatures = (1u << 16) - 1,
+    kAirlight = 1u << 16,
+    kAllFeatures = (1u << 17) - 1,
 };
 
 // Of materials at which paths go on.

@@ -33,6 +33,7 @@ struct Light {
     // shadows have penumbras, of so many samples a place.
     float source_radius = 0;
     uint32_t shadow_samples = 16;
+    float fog_scatter = 0; // the part of fog's extinction that scatters its light, 0 to 1
 
     bool operator==(const Light&) const = default;
 };

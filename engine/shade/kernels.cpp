@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "shade/air/airlight-inl.h"
 #include "shade/air/fog-inl.h"
 #include "shade/blocks/blocks-inl.h"
 #include "shade/kernels.h"
@@ -67,6 +68,11 @@ constexpr std::array<ByProgram<FindRadiance>, 2> radiance_by_emission() {
             radiance_by_program<Open, true>(Programs())};
 }
 
+template <bool Spot, size_t... Law>
+constexpr AddUpAirlight airlight_by_law(std::index_sequence<Law...>) {
+    return {add_up_airlight<Spot, scene::Falloff(Law)>...};
+}
+
 constexpr Kernels kKernels = {
     {find_surfaces<SurfacePart::all>, find_surfaces<SurfacePart::geometry>,
      find_surfaces<SurfacePart::colors>, find_surfaces<SurfacePart::geometry>},
@@ -79,6 +85,11 @@ constexpr Kernels kKernels = {
     paint_sky,
     find_clear,
     veil,
+    bound_rays,
+    list_ways,
+    place_points,
+    {airlight_by_law<false>(std::make_index_sequence<scene::kFalloffCount>()),
+     airlight_by_law<true>(std::make_index_sequence<scene::kFalloffCount>())},
     split_paths,
     absorb,
 };

@@ -3,6 +3,7 @@
 #include "base/isa.h"
 #include "scene/lights/prepared_light.h"
 #include "scene/snapshot.h"
+#include "shade/air/air_ways.h"
 #include "shade/light/illumination.h"
 #include "shade/material/program.h"
 #include "shade/path/path_rays.h"
@@ -73,6 +74,12 @@ struct FogLayer {
     math::Vec3 color;
 };
 
+// By fall-off; see air/airlight-inl.h.
+using AddUpAirlight = std::array<void (*)(const PreparedLight& light, const FogLayer& layer,
+                                          const AirNodes& nodes, const Surface::Lanes* seen,
+                                          const AirWays& ways, uint32_t count, float* sums),
+                                 scene::kFalloffCount>;
+
 // The loops over a batch, compiled for each instruction set; all of them give the same bits.
 struct Kernels {
     std::array<FindSurfaces, kSurfaceParts> find_surfaces; // by SurfacePart
@@ -100,6 +107,14 @@ struct Kernels {
                        const float* t, uint32_t count, float* clear);
     void (*veil)(const math::Vec3& color, const float* clear, uint32_t count,
                  float* const radiance[3]);
+
+    // See air/airlight-inl.h.
+    AirBounds (*bound_rays)(const AirRays& rays, const math::Vec3& axis);
+    uint32_t (*list_ways)(const PreparedLight& light, const FogLayer& layer, const AirRays& rays,
+                          uint32_t part, AirWays& out);
+    void (*place_points)(const AirWays& ways, const uint32_t* way, const float* at, uint32_t count,
+                         float* const to[3]);
+    std::array<AddUpAirlight, 2> add_up_airlight; // of points, of spots
 
     SplitPaths split_paths;
     // Takes from weights what is absorbed on the way to t.

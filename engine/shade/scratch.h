@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shade/air/airlight.h"
 #include "shade/light/illumination.h"
 #include "shade/light/light_lists.h"
 #include "shade/light/shadow_memory.h"
@@ -18,6 +19,7 @@ struct alignas(64) Scratch {
     LightLists lists;
     OpennessMemory* openness = nullptr; // if the shader finds it
     ProgramMemory* programs = nullptr;  // if the shader has any
+    AirlightMemory* airlight = nullptr; // of frames that have any
 };
 
 } // namespace peregrine::shade

@@ -63,6 +63,7 @@ public:
     void shade(const RayHits& hits, float* const radiance[3], Scratch& scratch,
                const float* openness = nullptr) const;
 
+    std::span<const PreparedLight> lights() const { return lighting_.lights(); }
     const LightChoice& light_choice() const { return lighting_.choice(); }
     const Kernels& kernels() const { return *kernels_; }
     const SurfaceSpace& space() const { return space_; }

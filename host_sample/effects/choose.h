@@ -9,7 +9,9 @@ namespace host {
 inline void choose(Effects effects, Frame& frame) {
     if (effects == Effects::plain) return;
     frame.bloom = 0.25f;
-    if (effects == Effects::rich) frame.occlusion_range = 1.2f;
+    if (effects != Effects::rich) return;
+    frame.occlusion_range = 1.2f;
+    frame.airlight_shadows = 8;
 }
 
 } // namespace host

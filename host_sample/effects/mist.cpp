@@ -10,6 +10,7 @@ namespace {
 constexpr float mist_density = 0.1f;             // per metre
 constexpr double mist_depth = 1.4;               // metres: how thick its thinning top is
 constexpr double near_enough = 8.0, gone = 16.0; // metres from the place
+constexpr float mist_scatter = 0.5f;
 constexpr glm::vec3 mist_color(0.085f, 0.105f, 0.14f);
 
 void set(Stage& stage, float density, double bottom, double top, const glm::vec3& color) {
@@ -27,6 +28,21 @@ void set_fog(Stage& stage, const Level& level, const Fog& fog, float ambient) {
     const double bottom = level.bounds.empty() ? 0.0 : level.bounds.lower.y;
     set(stage, fog.density, bottom, bottom + double(fog.top),
         2.0f * ambient * glm::vec3(0.9f, 0.95f, 1.1f));
+}
+
+void light_fog(Level& level, float part) {
+    for (Light& light : level.lights)
+        if (light.type != LightType::directional && std::isfinite(light.radius))
+            light.fog_scatter = part;
+}
+
+void light_mist(Level& level) {
+    for (Light& light : level.lights)
+        for (const Viewpoint& place : level.places)
+            if (place.name.starts_with("mist_") && std::isfinite(light.radius)
+                && light.type != LightType::directional
+                && glm::distance(light.position, place.position) < near_enough + 3.0)
+                light.fog_scatter = mist_scatter;
 }
 
 void Mist::hide() {

@@ -10,6 +10,12 @@ namespace host {
 // EngineError.
 void set_fog(Stage& stage, const Level& level, const Fog& fog, float ambient);
 
+// Lets fog scatter so much of what it takes from the lamps' light: of those that end somewhere.
+void light_fog(Level& level, float part);
+
+// Of those alone that shine where a level's mist lies.
+void light_mist(Level& level);
+
 // Mist that lies about the places mist_N of a level, whose heights are its top. The engine's fog is
 // a layer without sides: it is as dense as the mist is near to the eye.
 class Mist {

@@ -38,6 +38,7 @@ rt_light_desc light_of(const three_cores::Glow& glow) {
     light.cone_outer_cos = static_cast<float>(lamp.cos_outer);
     light.cone_inner_cos = static_cast<float>(lamp.cos_inner);
     light.casts_no_shadow = glow.casts_shadow ? 0 : 1;
+    light.fog_scatter = 0.8f; // beams of drones are seen in mist
     return light;
 }
 

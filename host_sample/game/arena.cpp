@@ -20,7 +20,9 @@ constexpr float night_ambient = 0.05f;
 
 Level import_level(const Options& options, const Arena::Progress& progress) {
     progress("Reading the level", 0.0f);
-    return load_level(options, gltf::no_animation, is_moved);
+    Level level = load_level(options, gltf::no_animation, is_moved);
+    light_mist(level);
+    return level;
 }
 
 three_cores::Plan make_plan(const Level& level, const Uploaded& uploaded, const Stage& stage) {

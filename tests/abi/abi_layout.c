@@ -177,7 +177,7 @@ static void print_lights(void) {
     FIELD(rt_light_desc, falloff);
     FIELD(rt_light_desc, shadow_samples);
     FIELD(rt_light_desc, source_radius);
-    FIELD(rt_light_desc, reserved);
+    FIELD(rt_light_desc, fog_scatter);
     STRUCT(rt_environment);
     FIELD(rt_environment, struct_size);
     FIELD(rt_environment, ambient);
@@ -487,8 +487,10 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, bloom);
     FIELD(rt_frame_desc, bloom_threshold);
     FIELD(rt_frame_desc, bloom_radius);
-    FIELD(rt_frame_desc, reserved);
+    FIELD(rt_frame_desc, airlight_shadows);
     FIELD(rt_frame_desc, particles);
+    FIELD(rt_frame_desc, airlight_block);
+    FIELD(rt_frame_desc, reserved);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);

@@ -153,7 +153,16 @@ TEST_F(BadFrame, Bloom) {
     }
     refuse_frame([](D& d) { d.bloom = 1.1f; }, kArgument, "rt_frame_desc.bloom is 1.1; it must");
     refuse_frame([](D& d) { d.bloom_radius = 2; }, kArgument, "bloom_radius is 2; it must");
-    refuse_frame([](D& d) { d.reserved = 1; }, kArgument, "rt_frame_desc.reserved");
+}
+
+TEST_F(BadFrame, Airlight) {
+    refuse_frame([](rt_frame_desc& d) { d.airlight_shadows = 33; }, RT_ERROR_INVALID_ARGUMENT,
+                 "rt_frame_desc.airlight_shadows is 33; it must be at most 32");
+    for (const uint32_t block : {3u, 8u, ~0u})
+        refuse_frame([&](rt_frame_desc& d) { d.airlight_block = block; }, RT_ERROR_INVALID_ARGUMENT,
+                     "rt_frame_desc.airlight_block is");
+    refuse_frame([](rt_frame_desc& d) { d.reserved = 1; }, RT_ERROR_INVALID_ARGUMENT,
+                 "rt_frame_desc.reserved");
 }
 
 TEST_F(BadFrame, Particles) {

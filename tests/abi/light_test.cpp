@@ -149,7 +149,7 @@ TEST(Light, HostsFromBeforeTheChoiceKeepTheirLight) {
         lamp.falloff = RT_FALLOFF_SCHLICK_LINEAR;
         if (old_host) {
             lamp.struct_size = 72;
-            lamp.falloff = 0x7f7f7f7f, lamp.reserved = 0xabababab;
+            lamp.falloff = 0x7f7f7f7f, lamp.fog_scatter = 77;
         }
         EXPECT_NEAR(wall.lux(lamp), 5 * formula(RT_FALLOFF_SCHLICK_LINEAR, 2, 8), 5 * kTolerance);
         rt_light light{};

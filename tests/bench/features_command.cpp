@@ -26,7 +26,7 @@ namespace peregrine::bench {
 namespace {
 
 constexpr host::Fog kFog{0.05f, 3};
-constexpr float kBloom = 0.2f, kAmbient = 0.1f;
+constexpr float kBloom = 0.2f, kAmbient = 0.1f, kScatter = 0.5f;
 constexpr float kOcclusionRange = 1.0f; // metres
 constexpr float kLampRadius = 0.1f;     // metres, of lamps that are spheres
 constexpr uint32_t kFewParticles = 2000;
@@ -35,7 +35,8 @@ struct Setting {
     const char* name;
     uint32_t depth = 0; // of paths
     bool blooms = false, fog = false, occlusion = false, soft = false;
-    uint32_t particles = 0, edge_samples = 1, light_block = 1;
+    bool lit_fog = false; // by all lamps that end somewhere
+    uint32_t airlight_shadows = 0, particles = 0, edge_samples = 1, light_block = 1;
 };
 constexpr Setting kNone = {.name = "none"};
 constexpr Setting kSettings[] = {
@@ -44,6 +45,8 @@ constexpr Setting kSettings[] = {
     {.name = "occlusion", .occlusion = true},
     {.name = "bloom", .blooms = true},
     {.name = "fog", .fog = true},
+    {.name = "lit fog", .lit_fog = true},
+    {.name = "lit fog, shadows", .lit_fog = true, .airlight_shadows = 8},
     {.name = "2,000 particles", .particles = kFewParticles},
     {.name = "100,000 particles", .particles = 100000},
     {.name = "edges, 4 rays", .edge_samples = 4},
@@ -88,6 +91,16 @@ private:
         return FrameStage(api, level, options_.threads, RT_LIGHT_PROOFS_KEPT, to_isa(options_.isa));
     }
 
+    void make_lit_stage() {
+        host::Level level = level_;
+        host::light_fog(level, kScatter);
+        lit_stage_.emplace(stage_.stage().api(), level, options_.threads, RT_LIGHT_PROOFS_KEPT,
+                           to_isa(options_.isa));
+        host::Stage& stage = lit_stage_->stage();
+        host::set_fog(stage, level, kFog, kAmbient);
+        stage.check(stage.api().commit_scene(stage.scene(), nullptr, nullptr), "building");
+    }
+
     void show_fog(bool fog) {
         if (fog == has_fog_) return;
         has_fog_ = fog;
@@ -97,6 +110,7 @@ private:
     }
 
     double render(const Setting& setting, const std::vector<rt_particle>& embers, size_t view) {
+        if (setting.lit_fog && !lit_stage_) make_lit_stage();
         show_fog(setting.fog);
         rt_frame_desc frame = memory_.frame(Look::direct);
         frame.max_depth = setting.depth;
@@ -105,7 +119,11 @@ private:
         frame.edge_samples = setting.edge_samples;
         frame.light_block = setting.light_block;
         frame.particles = host::to_array(embers);
-        const FrameStage& stage = setting.soft ? *soft_stage_ : stage_;
+        frame.airlight_shadows = setting.airlight_shadows;
+        frame.airlight_block = setting.airlight_shadows > 0 ? 2 : 1;
+        const FrameStage& stage = setting.soft      ? *soft_stage_
+                                  : setting.lit_fog ? *lit_stage_
+                                                    : stage_;
         const Seconds seconds = stage.render(frame, views_[view]).seconds;
         return 1e3 * (options_.threads == 1 ? seconds.processor : seconds.wall);
     }
@@ -168,7 +186,7 @@ private:
     ImageSize size_;
     FrameMemory memory_;
     FrameStage stage_;
-    std::optional<FrameStage> soft_stage_;
+    std::optional<FrameStage> soft_stage_, lit_stage_;
     std::optional<FramePeer> peer_;
     bool has_fog_ = false;
 };

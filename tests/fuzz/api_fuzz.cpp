@@ -336,6 +336,7 @@ private:
         desc.casts_no_shadow = random_.below(2);
         if (random_.one_in(3)) desc.source_radius = random_.number();
         desc.shadow_samples = random_.below(20);
+        if (random_.one_in(3)) desc.fog_scatter = random_.unit();
         spoil(desc, 4);
         rt_light light;
         if (check(rt_add_light(scene_, &desc, &light)) == RT_OK) lights_.push_back(light);
@@ -398,6 +399,8 @@ private:
         if (random_.one_in(2)) frame.bloom = random_.unit();
         frame.bloom_threshold = 2 * random_.unit();
         frame.bloom_radius = random_.unit();
+        frame.airlight_shadows = random_.below(34); // one too many
+        frame.airlight_block = random_.below(5);
         frame.render_width = random_.below(frame.width + 1);
         const uint64_t row = frame.width * kBytes[frame.format];
         frame.row_stride = random_.one_in(2) ? 0 : row + random_.below(20);

@@ -55,6 +55,7 @@ TEST_F(OptionsTest, ReadsValues) {
     EXPECT_EQ(occlusion.options->occlusion_range, 1.5f);
     EXPECT_EQ(occlusion.options->occlusion_block, 1u);
     EXPECT_EQ(parse({"--bloom", "0.5"}).options->bloom, 0.5f);
+    EXPECT_EQ(parse({"--fog-lamps", "0.5"}).options->fog_lamps, 0.5f);
     const auto fog = parse({"--fog", "0.25,3"}).options->fog;
     EXPECT_TRUE(fog && fog->density == 0.25f && fog->top == 3.0f);
     EXPECT_EQ(parse({"--edges", "4"}).options->edge_samples, 4u);
@@ -69,6 +70,8 @@ TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
              {"--occlusion", "-1"},
              {"--occlusion-block", "2"},
              {"--bloom", "2"},
+             {"--fog-lamps", "1.5"},
+             {"--fog-shadows", "33"},
              {"--fog", "0.1"},
              {"--fog", "0.1,-2"},
              {"--fog", "nan,2"},

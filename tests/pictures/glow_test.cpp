@@ -1,4 +1,5 @@
-// What lies in the air and over a picture, bit for bit: fog, particles, bloom.
+// What lies in the air and over a picture, bit for bit: fog, light in it, particles,
+// bloom.
 #include "feature_scene.h"
 #include "glass_scene.h"
 #include "variants.h"
@@ -80,6 +81,63 @@ TEST_P(GlowPictures, FogAmongGlass) {
     commit();
     expect("fog_glass", scene.camera(), frame_of(161, 91));
     expect("fog_within", scene.camera_in_the_die(), frame_of(80, 45));
+}
+
+// A spot from above and a point among things, which all have shadows but the second spot.
+void add_lamps_in_fog(host::Stage& stage, const glm::dvec3& origin) {
+    const auto add = [&](rt_light_desc desc, const glm::dvec3& position) {
+        for (int k = 0; k < 3; ++k) desc.position[k] = origin[k] + position[k];
+        rt_light light;
+        stage.check(stage.api().add_light(stage.scene(), &desc, &light), "adding a light");
+    };
+    const auto shine = [](rt_light_desc& desc, const glm::vec3& color, const glm::vec3& way) {
+        for (int k = 0; k < 3; ++k) {
+            desc.intensity[k] = color[k];
+            desc.direction[k] = way[k];
+        }
+    };
+    rt_light_desc lamp = rt_default_light_desc();
+    lamp.radius = 5;
+    lamp.fog_scatter = 0.75f;
+    shine(lamp, {6, 5, 3}, {0, -1, 0});
+    add(lamp, {1.4, 0.7, -3});
+    lamp.type = RT_LIGHT_SPOT;
+    lamp.radius = 8;
+    lamp.cone_inner_cos = 0.95f;
+    lamp.cone_outer_cos = 0.9f;
+    shine(lamp, {30, 40, 60}, {0.3f, -1, -0.3f});
+    add(lamp, {-0.5, 3.5, -2});
+    lamp.casts_no_shadow = 1;
+    lamp.falloff = RT_FALLOFF_COSINE_LINEAR;
+    shine(lamp, {2, 40, 10}, {-1, 0.1f, -0.2f});
+    add(lamp, {2.2, 1.1, -1.5});
+}
+
+TEST_P(GlowPictures, Airlight) {
+    const FeatureScene scene(*stage_, {});
+    set_fog(0.15f, 0.3, 2.5);
+    add_lamps_in_fog(*stage_, {});
+    commit();
+    rt_frame_desc frame = frame_of(161, 91);
+    expect("airlight", scene.camera(), frame);
+    frame = frame_of(97, 55);
+    frame.edge_samples = 4;
+    frame.light_block = 8;
+    frame.airlight_shadows = 0;
+    if (!GetParam().proofs) expect("airlight_direct", scene.camera_from_the_side(), frame);
+}
+
+TEST_P(GlowPictures, AirlightAmongGlass) {
+    const glm::dvec3 far_away(12345678.25, 1500.5, -7654321.75);
+    const GlassScene scene(*stage_, far_away);
+    set_fog(0.2f, far_away.y + 0.2, far_away.y + 2);
+    add_lamps_in_fog(*stage_, far_away);
+    commit();
+    rt_frame_desc frame = frame_of(161, 91);
+    frame.airlight_shadows = 5;
+    frame.airlight_block = 2;
+    expect("airlight_glass", scene.camera(), frame);
+    expect("airlight_within", scene.camera_in_the_die(), frame_of(80, 45));
 }
 
 TEST_P(GlowPictures, Particles) {

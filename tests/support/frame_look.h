@@ -34,7 +34,7 @@ inline Look look_of(const std::string& name) {
 // how many answers for whole patches a commit has tried to prove.
 inline void set_options(Look look, rt_frame_desc& frame) {
     if (look != Look::exact) return;
-    frame.light_block = 1;
+    frame.light_block = frame.airlight_block = 1;
     frame.texture_filter = RT_TEXTURE_FINEST;
     frame.least_light = 0;
     frame.edge_samples = 1;

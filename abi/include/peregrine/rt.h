@@ -592,7 +592,9 @@ typedef struct rt_light_desc {
                             or, of a directional one, that of its disc at a distance of 1 m
                             (the sun: 0.00465). 0: a point, whose shadows are sharp. Where all of
                             the sphere or nothing of it is seen, 6 rays tell so */
-    uint32_t reserved;   /* 0 */
+    float fog_scatter;   /* point, spot of a finite radius: the part of the fog's extinction that
+                            scatters this light, evenly all around; 0 to 1. So one sees a spot's
+                            cone, and a halo about a point. 0: its light goes through fog unseen */
 } rt_light_desc;
 
 static inline rt_light_desc rt_default_light_desc(void) {
@@ -654,7 +656,12 @@ RT_EXPORT rt_result rt_set_environment(rt_scene scene,
 
 /* A horizontal layer of fog. Of light that goes d metres through it at its densest, exp(-density d)
  * is left, and the rest is the fog's own colour. Frames see it on the way from the eye and on that
- * of every bounce, but not in solids of glass; lamps and queries do not. */
+ * of every bounce, but not in solids of glass; queries do not. Lamps shine through it undimmed;
+ * those with a fog_scatter are seen in it: L more radiance, with T what is left on the way from
+ * there to the eye, k the fog's density there and E a lamp's lux at a surface that faces it,
+ *     L = the integral of T k fog_scatter E / (4 pi)
+ * along each way. Ways that come nearer to a lamp than 1 / 1024 of its radius, or than its
+ * source_radius, get what they would get there. */
 typedef struct rt_fog {
     uint32_t struct_size;
     float density;  /* per metre, >= 0; 0: there is none */
@@ -766,7 +773,8 @@ enum {
     RT_FEATURE_SKY = 1u << 12,
     RT_FEATURE_FOG = 1u << 13,
     RT_FEATURE_PROGRAMS = 1u << 14,
-    RT_FEATURE_PROGRAM_RAYS = 1u << 15 /* one of them may ask for rays */
+    RT_FEATURE_PROGRAM_RAYS = 1u << 15, /* one of them may ask for rays */
+    RT_FEATURE_AIRLIGHT = 1u << 16      /* light that fog scatters: rt_light_desc.fog_scatter */
 };
 
 typedef struct rt_commit_report {
@@ -1423,8 +1431,16 @@ typedef struct rt_frame_desc {
                               light does. rt_default_frame_desc() has 1 */
     float bloom_radius;    /* how far, as a part of the picture's height; 0 to 1.
                               rt_default_frame_desc() has 0.15 */
-    uint32_t reserved;     /* 0 */
-    rt_array particles;    /* rt_particle: at most 2^24 */
+    uint32_t airlight_shadows; /* pieces, at most 32, into which a ray's way through the light of a
+                                  lamp with a fog_scatter is cut, to find what the lamp sees of it:
+                                  so many shadow rays and one, and three where a shadow begins. 0:
+                                  in fog this light goes through walls. rt_default_frame_desc() has
+                                  8 */
+    rt_array particles;        /* rt_particle: at most 2^24 */
+    uint32_t airlight_block;   /* pixels. 0, 1: each ray asks for its own airlight_shadows; 2, 4:
+                                  one in a block of so many, for the others, too, where their ways
+                                  are about the same. rt_default_frame_desc() has 2 */
+    uint32_t reserved;         /* 0 */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1444,6 +1460,8 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.occlusion_plane_tolerance = 0.1f;
     desc.bloom_threshold = 1.0f;
     desc.bloom_radius = 0.15f;
+    desc.airlight_shadows = 8;
+    desc.airlight_block = 2;
     return desc;
 }
 

@@ -74,6 +74,7 @@ std::shared_ptr<const LightSet> make_light_set(base::Vector<Light> lights, Light
         // Proofs are of points.
         const bool is_point = light.source_radius == 0;
         if (!set->views.empty() && is_point) light.visibility = set->views[i].get();
+        if (light.fog_scatter > 0) set->in_fog.push_back(uint32_t(i));
         if (light.from_light)
             set->largest_radius = std::max(set->largest_radius, light.radius + light.source_radius);
     }

@@ -18,13 +18,15 @@ using LightViews = base::Vector<std::shared_ptr<const trace::visibility::PointVi
 // them changed.
 struct LightSet {
     explicit LightSet(base::Memory* memory)
-        : lights(memory), views(memory), prepared(memory), tree(memory), beside(memory) {}
+        : lights(memory), views(memory), prepared(memory), tree(memory), beside(memory),
+          in_fog(memory) {}
 
     base::Vector<Light> lights;
     LightViews views; // beside `lights`; null: nothing. Empty if nothing was proved at all
     base::Vector<PreparedLight> prepared; // beside `lights`, relative to the snapshot's origin
     accel::spheres::Tree tree;            // of those that end somewhere, unless these are few, ...
     base::Vector<uint32_t> beside;        // ... and the others: both by their numbers
+    base::Vector<uint32_t> in_fog;        // numbers of those that fog scatters
     float largest_radius = 0;             // of those with from_light
 
     // Whether it is what make_light_set() would make.

@@ -27,6 +27,7 @@ struct PreparedLight {
     float cone_scale; // 1 / (inner - outer)
     float source_radius;
     uint32_t shadow_samples;
+    float fog_scatter;
     const trace::visibility::PointVisibility* visibility =
         nullptr; // what is remembered; null: nothing
 };
@@ -98,7 +99,8 @@ inline PreparedLight prepare(const Light& light, const math::Box& bounds) {
             light.cone_outer_cos,
             1.0f / cone,
             light.source_radius,
-            light.shadow_samples};
+            light.shadow_samples,
+            light.fog_scatter};
 }
 
 // Whether any point of the box may be lit. The margin covers the rounding of both sides.

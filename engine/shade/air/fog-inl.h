@@ -28,6 +28,9 @@ struct FogDensity {
     HWY_INLINE Vf at(Vf height) const {
         return hn::Min(hn::Mul(hn::Sub(top, height), thinning), splat(1.0f));
     }
+    HWY_INLINE Vf at_any(Vf height) const {
+        return hn::IfThenElse(hn::Gt(height, bottom), at(hn::Min(height, top)), splat(1.0f));
+    }
     HWY_INLINE Vf mean(Vf from, Vf to) const {
         const Vf rise = hn::Abs(hn::Sub(to, from));
         const Vf full = hn::Abs(hn::Sub(hn::Min(to, bottom), hn::Min(from, bottom)));

@@ -13,6 +13,7 @@ public:
         const math::Vec3d& eye);
 
     bool any() const { return layer_.density > 0; }
+    const FogLayer& layer() const { return layer_; }
 
     // How much of the light comes through, along the first t of rays that begin at these heights.
     void find_clear(const float* heights, const float* const direction[3], const float* t,

@@ -12,6 +12,31 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
+// cos^2(pi x / 2).
+HWY_INLINE Vf lobe_of(Vf x) {
+    const Vf one = splat(1.0f);
+    const Vf y = hn::Mul(x, x);
+    Vf sum = splat(scene::kCosine[2]);
+    sum = hn::Add(hn::Mul(sum, y), splat(scene::kCosine[1]));
+    sum = hn::Add(hn::Mul(sum, y), splat(scene::kCosine[0]));
+    sum = hn::Add(hn::Mul(sum, y), one);
+    const Vf cosine = hn::Mul(hn::Sub(one, y), sum);
+    return hn::Mul(cosine, cosine);
+}
+
+// Those of Arauna by themselves, but for their constants.
+template <scene::Falloff Law>
+HWY_INLINE Vf paper_falloff(Vf x) {
+    const Vf one = splat(1.0f);
+    const Vf rest = hn::Max(hn::Sub(one, x), hn::Zero(kF));
+    if constexpr (Law == scene::Falloff::schlick_linear)
+        return hn::Div(hn::Mul(rest, rest), hn::Add(one, hn::Mul(splat(scene::kSchlickBend), x)));
+    else if constexpr (Law == scene::Falloff::cosine_linear)
+        return hn::Mul(rest, lobe_of(x));
+    else
+        return rest;
+}
+
 // Cosine times fall-off: with b = normal . to_light, a = min(bend geometric . to_light, b),
 //     a (b^2 + a b - a^2) / b^2
 // is the cosine with the facets' terminator softened (Chiang, Li, Burley, "Taming the Shadow
@@ -34,15 +59,7 @@ HWY_INLINE Vf weigh_by_one_quotient(const PreparedLight& light, Vf a, Incidence&
         } else {
             above = hn::Mul(above, hn::Max(rest, hn::Zero(kF)));
         }
-        if constexpr (Law == scene::Falloff::cosine_linear) {
-            const Vf y = hn::Mul(x, x);
-            Vf sum = splat(scene::kCosine[2]);
-            sum = hn::Add(hn::Mul(sum, y), splat(scene::kCosine[1]));
-            sum = hn::Add(hn::Mul(sum, y), splat(scene::kCosine[0]));
-            sum = hn::Add(hn::Mul(sum, y), one);
-            const Vf cosine = hn::Mul(hn::Sub(one, y), sum);
-            above = hn::Mul(above, hn::Mul(cosine, cosine));
-        }
+        if constexpr (Law == scene::Falloff::cosine_linear) above = hn::Mul(above, lobe_of(x));
     }
     above = Kind::shape(light, in, above);
     in.lit = hn::And(in.lit, hn::Gt(below, splat(1e-36f))); // else the quotient is no number

@@ -18,6 +18,7 @@ public:
     Lighting(const scene::Snapshot& snapshot, std::span<const PreparedLight> lights,
              const SurfaceSpace& space, Program program, bool shadows, float unseen);
 
+    std::span<const PreparedLight> lights() const { return lights_; }
     const LightChoice& choice() const { return choice_; }
 
     // What arrives at the points of scratch.surface, in scratch.light. `marks`: null, or filled

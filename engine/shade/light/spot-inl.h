@@ -11,6 +11,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
 
+// A smooth step of the angle's cosine, from the outer one's on.
+HWY_INLINE Vf cone_share(const PreparedLight& light, Vf cosine) {
+    const Vf s =
+        hn::Min(hn::Mul(hn::Sub(cosine, splat(light.cone_outer_cos)), splat(light.cone_scale)),
+                splat(1.0f));
+    return hn::Mul(hn::Mul(s, s), hn::Sub(splat(3.0f), hn::Mul(splat(2.0f), s)));
+}
+
 struct SpotLight {
     static constexpr bool kHasPlace = true;
 
@@ -23,14 +31,9 @@ struct SpotLight {
         return in;
     }
 
-    // A smooth step of the angle's cosine.
     static HWY_INLINE Vf shape(const PreparedLight& light, const Incidence& in, Vf weight) {
         const Vf cosine = hn::Div(hn::Neg(dot(splat(light.direction), in.to_light)), in.distance);
-        const Vf s =
-            hn::Min(hn::Mul(hn::Sub(cosine, splat(light.cone_outer_cos)), splat(light.cone_scale)),
-                    splat(1.0f));
-        const Vf share = hn::Mul(hn::Mul(s, s), hn::Sub(splat(3.0f), hn::Mul(splat(2.0f), s)));
-        return hn::Mul(weight, share);
+        return hn::Mul(weight, cone_share(light, cosine));
     }
 };
 

@@ -12,9 +12,9 @@ static_assert(sizeof(PathRays::Lanes) % 64 == 0);
 
 // Rays of one depth whose hits are known.
 struct Paths::Batch {
-    const RayHits& hits; // its t counts along the path
-    const float* t;      // of the rays themselves
-    const float* height; // at which they begin
+    const RayHits& hits;    // its t counts along the path
+    const float* t;         // of the rays themselves
+    const float* origin[3]; // null: the eye
     const Media* media;
     const uint32_t* pixel; // null: `first` and on
     uint32_t first;
@@ -24,9 +24,11 @@ struct Paths::Batch {
 };
 
 Paths::Paths(const scene::Snapshot& snapshot, const Shader& shader, const Fog& fog,
-             const trace::Filter& filter, const PathLimits& limits, const Media& eye)
-    : snapshot_(&snapshot), shader_(&shader), fog_(fog.any() ? &fog : nullptr), filter_(filter),
-      limits_(limits), eye_(eye) {}
+             const Airlight& airlight, const trace::Filter& filter, const PathLimits& limits,
+             const Media& eye)
+    : snapshot_(&snapshot), shader_(&shader), fog_(fog.any() ? &fog : nullptr),
+      airlight_(airlight.any() ? &airlight : nullptr), filter_(filter), limits_(limits), eye_(eye) {
+}
 
 void Paths::begin(PathRays* chunks, PathMemory& memory) const {
     memory.waiting = chunks;
@@ -59,8 +61,8 @@ bool Paths::absorb(const RayHits& hits, const float* t, const Media* media,
     return any;
 }
 
-void Paths::keep(const RayHits& hits, float* const colors[3], uint32_t first,
-                 PathMemory& memory) const {
+void Paths::keep(const RayHits& hits, float* const colors[3], uint32_t first, PathMemory& memory,
+                 Scratch& scratch) const {
     memory.footprint = hits.footprint;
     if (!memory.split.any && !eye_.any() && !fog_) return;
     for (auto& weight : memory.weight) std::fill_n(weight, hits.count, 1.0f);
@@ -71,16 +73,28 @@ void Paths::keep(const RayHits& hits, float* const colors[3], uint32_t first,
         fog_->find_clear(hits, memory.clear);
         float* const radiance[3] = {colors[0] + first, colors[1] + first, colors[2] + first};
         fog_->veil(memory.clear, hits.count, radiance);
+        if (airlight_) airlight_->add(hits, radiance, scratch);
         dim(hits.count, memory);
     }
-    send_on({hits, hits.t, nullptr, memory.eye_media, nullptr, first, 0}, colors, memory);
+    send_on({hits, hits.t, {}, memory.eye_media, nullptr, first, 0}, colors, memory);
 }
 
 // There is no fog in solids.
-void Paths::find_clear(const Batch& batch, PathMemory& memory) const {
-    fog_->find_clear(batch.height, batch.hits.direction, batch.t, batch.hits.count, memory.clear);
-    for (uint32_t i = 0; i < batch.hits.count; ++i)
+void Paths::hide_in_fog(const Batch& batch, float* const radiance[3], PathMemory& memory,
+                        Scratch& scratch) const {
+    const RayHits& hits = batch.hits;
+    fog_->find_clear(batch.origin[1], hits.direction, batch.t, hits.count, memory.clear);
+    for (uint32_t i = 0; i < hits.count; ++i)
         if (batch.media[i].any()) memory.clear[i] = 1;
+    fog_->veil(memory.clear, hits.count, radiance);
+    if (!airlight_) return;
+    float* const t = scratch.airlight->t;
+    for (uint32_t i = 0; i < hits.count; ++i) t[i] = batch.media[i].any() ? 0 : batch.t[i];
+    airlight_->add({{batch.origin[0], batch.origin[1], batch.origin[2]},
+                    {hits.direction[0], hits.direction[1], hits.direction[2]},
+                    t,
+                    hits.count},
+                   radiance, scratch);
 }
 
 // What comes from behind fog counts for less.
@@ -141,8 +155,13 @@ void Paths::follow(uint32_t depth, float* const colors[3], PathMemory& memory,
                 memory.footprint};
             for (int k = 0; k < 3; ++k)
                 std::copy_n(rays.weight[k] + first, hits.count, memory.weight[k]);
-            shade({hits, memory.t + first, rays.origin[1] + first, rays.media + first,
-                   rays.pixel + first, 0, depth},
+            shade({hits,
+                   memory.t + first,
+                   {rays.origin[0] + first, rays.origin[1] + first, rays.origin[2] + first},
+                   rays.media + first,
+                   rays.pixel + first,
+                   0,
+                   depth},
                   colors, memory, scratch);
         }
         rays.count = 0;
@@ -189,10 +208,7 @@ void Paths::shade(const Batch& batch, float* const colors[3], PathMemory& memory
     const AskedRays asked{memory.split, batch.media};
     shader_->find_radiance(batch.hits, radiance, scratch, &asked);
     if (shader_->has_sky()) shader_->paint_sky(batch.hits, radiance);
-    if (fog_) {
-        find_clear(batch, memory);
-        fog_->veil(memory.clear, batch.hits.count, radiance);
-    }
+    if (fog_) hide_in_fog(batch, radiance, memory, scratch);
     for (uint32_t i = 0; i < batch.hits.count; ++i)
         for (int k = 0; k < 3; ++k)
             colors[k][batch.pixel[i]] += memory.weight[k][i] * radiance[k][i];

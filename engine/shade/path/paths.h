@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shade/air/airlight.h"
 #include "shade/air/fog.h"
 #include "shade/path/path_rays.h"
 #include "shade/shader.h"
@@ -23,7 +24,8 @@ class Paths {
 public:
     // `filter`: of primary rays. `eye`: what the eye is in.
     Paths(const scene::Snapshot& snapshot, const Shader& shader, const Fog& fog,
-          const trace::Filter& filter, const PathLimits& limits, const Media& eye);
+          const Airlight& airlight, const trace::Filter& filter, const PathLimits& limits,
+          const Media& eye);
 
     bool any() const { return limits_.max_depth > 0; }
     uint32_t chunk_count() const { return 2 * limits_.max_depth; }
@@ -34,8 +36,8 @@ public:
     // ... where programs ask for rays beside that, ...
     AskedRays asked_rays(PathMemory& memory) const { return {memory.split, memory.eye_media}; }
     // ... and when the colours are, of which the batch begins at `first`; hits.t is not scaled.
-    void keep(const RayHits& hits, float* const colors[3], uint32_t first,
-              PathMemory& memory) const;
+    void keep(const RayHits& hits, float* const colors[3], uint32_t first, PathMemory& memory,
+              Scratch& scratch) const;
 
     // Adds to the colours what the rays find that wait.
     void follow(float* const colors[3], PathMemory& memory, Scratch& scratch) const {
@@ -51,7 +53,8 @@ private:
                Scratch& scratch) const;
     void split(const RayHits& hits, const Media* media, PathMemory& memory, Scratch& scratch) const;
     bool absorb(const RayHits& hits, const float* t, const Media* media, PathMemory& memory) const;
-    void find_clear(const Batch& batch, PathMemory& memory) const;
+    void hide_in_fog(const Batch& batch, float* const radiance[3], PathMemory& memory,
+                     Scratch& scratch) const;
     void dim(uint32_t count, PathMemory& memory) const;
     void send_on(const Batch& batch, const SplitRays::Branch& branch, PathRays* to,
                  float* const colors[3], PathMemory& memory) const;
@@ -59,7 +62,8 @@ private:
 
     const scene::Snapshot* snapshot_;
     const Shader* shader_;
-    const Fog* fog_; // null: none
+    const Fog* fog_;           // null: none
+    const Airlight* airlight_; // null: none
     trace::Filter filter_;
     PathLimits limits_;
     Media eye_;
