@@ -79,7 +79,7 @@ constexpr Kernels kKernels = {
     paint_sky,
     find_clear,
     veil,
-    split_paths,
+    {split_paths<false>, split_paths<true>},
     absorb,
 };
 

@@ -101,7 +101,7 @@ struct Kernels {
     void (*veil)(const math::Vec3& color, const float* clear, uint32_t count,
                  float* const radiance[3]);
 
-    SplitPaths split_paths;
+    std::array<SplitPaths, 2> split_paths; // whether programs of the host are there
     // Takes from weights what is absorbed on the way to t.
     void (*absorb)(const float* const direction[3], const float* t, uint32_t count,
                    const Surface::Lanes* absorption, Surface::Lanes* weight);
