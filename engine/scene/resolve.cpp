@@ -30,8 +30,8 @@ Material resolve(Scene& scene, const MaterialDescription& description, Handle ha
     resolve(scene, material.normal_texture, description.normal_texture, handle);
     resolve(scene, material.emissive_texture, description.emissive_texture, handle);
     if (const HostProgram* const program = scene.programs.find(description.program)) {
-        material.program = description.program.index + 1;
-        material.asks_rays = program->wants(HostProgram::kRays);
+        material.program = (description.program.index + 1) & 0x7fffffffu;
+        material.asks_rays = program->wants(HostProgram::kRays) ? 1 : 0;
     }
     return material;
 }

@@ -38,8 +38,9 @@ void Paths::begin(PathRays* chunks, PathMemory& memory) const {
 
 void Paths::split(const RayHits& hits, const Media* media, PathMemory& memory,
                   Scratch& scratch) const {
-    shader_->kernels().split_paths(*snapshot_, shader_->features(), shader_->space(), hits, media,
-                                   scratch.surface, memory.split);
+    shader_->kernels().split_paths[shader_->has_programs()](*snapshot_, shader_->features(),
+                                                            shader_->space(), hits, media,
+                                                            scratch.surface, memory.split);
 }
 
 void Paths::split(const RayHits& hits, PathMemory& memory, Scratch& scratch) const {

@@ -154,6 +154,8 @@ HWY_INLINE void see_through(const RayHits& hits, uint32_t i, Mf mask, SplitRays&
 }
 
 // Takes from the surfaces what the rays that go on will bring. `media`: of the rays that arrive.
+// Programmed: some may have a program of the host.
+template <bool Programmed>
 HWY_ATTR void split_paths(const scene::Snapshot& snapshot, uint32_t features,
                           const SurfaceSpace& space, const RayHits& hits, const Media* media,
                           Surface& surface, SplitRays& out) {
@@ -181,10 +183,9 @@ HWY_ATTR void split_paths(const scene::Snapshot& snapshot, uint32_t features,
         if (material.is_translucent())
             find_cover(material, features, hits.footprint > 0, run, surface, out);
         const Split split(material, back_face);
-        const bool is_programmed = material.program != 0;
         for (uint32_t i = run.begin; i < run.end; i += kLanes) {
             const Mf mask = hn::FirstN(kF, run.end - i);
-            if (is_programmed)
+            if (Programmed && material.program != 0)
                 see_through(hits, i, mask, out);
             else
                 split.run(features, hits, i, mask, surface, out);
