@@ -23,8 +23,8 @@ struct RaySet {
 };
 
 // Rays as games and adversaries cast them, the same for the same seed: camera, shadow, random,
-// axis-parallel, through vertices, along edges, through edges, extreme, fans, sheaves, parallel, pictures.
-// Shadow rays start at random points of triangles.
+// axis-parallel, through vertices, along edges, through edges, extreme, fans, sheaves, parallel,
+// pictures. Shadow rays start at random points of triangles.
 std::vector<RaySet> make_ray_sets(std::span<const geometry::Triangle> triangles,
                                   std::span<const Eye> eyes, std::span<const math::Vec3> lights,
                                   size_t rays_per_set, uint32_t seed);
