@@ -71,9 +71,9 @@ void Actors::show(const Game& game) {
 
 void Actors::add_particles(const Game& game, std::span<const three_cores::Event> events,
                            std::vector<rt_particle>& particles) {
+    if (!has_effects_) return;
     const double seconds = seconds_of(game);
     sparks_.add(events, seconds);
-    if (!has_effects_) return;
     effects_.add_particles(seconds, particles);
     sparks_.add_particles(seconds, particles);
     add_glints(game, particles);
