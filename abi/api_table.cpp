@@ -47,6 +47,7 @@ constexpr rt_api kApi = {
     .resolve_surfaces = rt_resolve_surfaces,
     .govern_frame = rt_govern_frame,
     .set_fog = rt_set_fog,
+    .adapt_exposure = rt_adapt_exposure,
 };
 
 constexpr const char* kResultNames[] = {

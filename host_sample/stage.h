@@ -21,6 +21,7 @@ struct Frame {
     uint32_t occlusion_block = 8;
     float bloom = 0; // rt_frame_desc::bloom
     uint32_t airlight_shadows = 8;
+    bool measures_luminance = false;
     rt_array particles{};   // rt_frame_desc::particles
     rt_snapshot snapshot{}; // null: the current one
     // The picture is traced so large and then enlarged; 0: as large as it is. Or the governor
