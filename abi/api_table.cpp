@@ -47,6 +47,8 @@ constexpr rt_api kApi = {
     .resolve_surfaces = rt_resolve_surfaces,
     .govern_frame = rt_govern_frame,
     .set_fog = rt_set_fog,
+    .add_program = rt_add_program,
+    .remove_program = rt_remove_program,
     .adapt_exposure = rt_adapt_exposure,
 };
 

@@ -20,6 +20,8 @@ static_assert(RT_FEATURE_TRANSMISSION == int(scene::kTransmission));
 static_assert(RT_FEATURE_BLENDING == int(scene::kBlending));
 static_assert(RT_FEATURE_SKY == int(scene::kSky));
 static_assert(RT_FEATURE_FOG == int(scene::kFog));
+static_assert(RT_FEATURE_PROGRAMS == int(scene::kPrograms));
+static_assert(RT_FEATURE_PROGRAM_RAYS == int(scene::kProgramRays));
 static_assert(RT_FEATURE_AIRLIGHT == int(scene::kAirlight));
 
 static_assert(RT_BUILD_BALANCED == int(accel::bvh::Quality::balanced));

@@ -128,6 +128,8 @@ rt_frame_stats to_stats(const render::FrameStats& in) {
     out.rays_occlusion = in.rays_occlusion;
     out.occlusion_points = in.occlusion_points;
     out.rays_particle = in.rays_particle;
+    out.program_hits = in.program_hits;
+    out.program_faults = in.program_faults;
     out.mean_luminance = double(in.mean_luminance);
     out.frame_ms = in.frame_ms;
     out.isa = rt_isa(in.isa);

@@ -109,6 +109,21 @@ void describe_paths(const rt_material_desc& desc, scene::Material& material) {
     material.thin = desc.thin != 0;
 }
 
+// Mirrors and glass are the program's own.
+base::Handle to_program(scene::Scene& scene, const rt_material_desc& desc) {
+    const base::Handle program = to_handle(desc.program);
+    if (!program && program.index == 0) return program;
+    require_object(scene.programs, program, "rt_material_desc.program", "program");
+    for (const auto& [value, name] : {std::pair{desc.reflectivity, "reflectivity"},
+                                      std::pair{desc.transmission, "transmission"}})
+        if (value != 0)
+            base::fail(base::Code::invalid_argument,
+                       "rt_material_desc.%s is %g; it must be 0 with a program, which asks for "
+                       "rays itself",
+                       name, double(value));
+    return program;
+}
+
 scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc& desc) {
     check_numbers(desc);
     scene::MaterialDescription result;
@@ -131,6 +146,7 @@ scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc&
     result.base_color_texture = to_texture(scene, desc.base_color_texture, "base_color_texture");
     result.normal_texture = to_texture(scene, desc.normal_texture, "normal_texture");
     result.emissive_texture = to_texture(scene, desc.emissive_texture, "emissive_texture");
+    result.program = to_program(scene, desc);
     return result;
 }
 

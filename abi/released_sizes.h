@@ -25,7 +25,8 @@ struct Released;
 
 PEREGRINE_RELEASED(rt_scene_desc, 80);
 PEREGRINE_RELEASED(rt_texture_desc, 48);
-PEREGRINE_RELEASED(rt_material_desc, 192, 240);
+PEREGRINE_RELEASED(rt_program_desc, 24);
+PEREGRINE_RELEASED(rt_material_desc, 192, 240, 248);
 PEREGRINE_RELEASED(rt_mesh_desc, 200);
 PEREGRINE_RELEASED(rt_mesh_update, 80);
 PEREGRINE_RELEASED(rt_light_desc, 72, 80, 88);
@@ -44,7 +45,7 @@ PEREGRINE_RELEASED(rt_overlap_desc, 80);
 PEREGRINE_RELEASED(rt_nearest_desc, 64);
 PEREGRINE_RELEASED(rt_camera, 56);
 PEREGRINE_RELEASED(rt_frame_desc, 120, 128, 160, 168, 192, 232, 240);
-PEREGRINE_RELEASED(rt_frame_stats, 40, 56, 64, 80, 88, 96);
+PEREGRINE_RELEASED(rt_frame_stats, 40, 56, 64, 80, 88, 104, 112);
 PEREGRINE_RELEASED(rt_governor, 184);
 PEREGRINE_RELEASED(rt_exposure, 32);
 PEREGRINE_RELEASED(rt_scene_stats, 64);

@@ -39,6 +39,7 @@ public:
     }
 
     void render(const Viewpoint& viewpoint) {
+        frame_.particles = to_array(session_.particles);
         session_.log.add(session_.stage.render(viewpoint, frame_, pixels_.data()));
     }
 
@@ -65,17 +66,17 @@ void say_result(const Session& session, const std::string& where) {
               << session.log.mrays_per_second() << " million rays a second)\n";
 }
 
-// The first frame shows --time, which was committed before.
-void advance(Session& session, uint32_t frame, double step) {
+// The first frame shows --time.
+void advance(Session& session, uint32_t frame, double step, const glm::dvec3& eye) {
     const Options& options = session.options;
-    if (frame > 0) session.show_moment(options.time + frame * options.time_step.value_or(step));
+    session.show_moment(options.time + frame * options.time_step.value_or(step), eye);
 }
 
 void run_still(Session& session, uint32_t frames, const std::optional<NumberedName>& numbered) {
     PictureMaker maker(session);
     maker.expose(session.viewpoint());
     for (uint32_t i = 0; i < frames && !is_stopped(); ++i) {
-        advance(session, i, still_step);
+        advance(session, i, still_step, session.viewpoint().position);
         maker.render(session.viewpoint());
         if (numbered) maker.write(numbered->at(i));
         maker.show_progress(i + 1, frames);
@@ -91,15 +92,17 @@ void run_flight(Session& session, const std::string& pattern) {
     if (!numbered) throw InputError("the picture name " + pattern + " has no place for a number");
     const uint32_t frames = session.options.frames.value_or(flight_frames);
     PictureMaker maker(session);
+    glm::dvec3 eye = session.viewpoint().position; // of the last frame
     for (uint32_t i = 0; i < frames && !is_stopped(); ++i) {
         // A single stop comes full circle, so its last frame must not repeat the first.
         const uint32_t whole = session.cameras.size() == 1 ? frames : std::max(frames, 2u) - 1;
-        advance(session, i, flight_step);
+        advance(session, i, flight_step, eye);
         std::vector<Viewpoint> stops;
         for (const Viewpoint& camera : session.cameras)
             stops.push_back(session.player.follow(camera));
         const Flight flight(stops, session.level.bounds.center(), session.level.cameras.empty());
         const Viewpoint view = flight.at(static_cast<double>(i) / static_cast<double>(whole));
+        eye = view.position;
         maker.drift(view);
         maker.render(view);
         maker.write(numbered->at(i));

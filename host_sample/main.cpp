@@ -4,8 +4,8 @@
 #include <iostream>
 #include <new>
 
-#include "air.h"
 #include "cameras.h"
+#include "effects/mist.h"
 #include "error.h"
 #include "game/command.h"
 #include "headless.h"
@@ -86,19 +86,29 @@ int list_pads(const Options& options) {
 int view(const Options& options) {
     Level level = load_level(options, options.animation);
     for (Light& light : level.lights) light.source_radius = options.lamp_radius;
-    light_fog(level, options.fog_lamps);
+    const bool has_effects = options.effects.value_or(Effects::plain) != Effects::plain;
+    if (has_effects) light_mist(level);
+    if (options.fog_lamps > 0.0f) light_fog(level, options.fog_lamps);
     auto cameras = usable_cameras(level);
     const size_t camera = find_camera(cameras, options.camera);
     if (options.list_cameras) return list_cameras(cameras);
 
     const Plugin plugin(options.library);
+    Ripples ripples;
     Stage stage(plugin.api(), options.threads, options.isa);
-    Player player(stage, level, upload_level(stage, level, options.ambient.value_or(0.15f)));
+    Player player(stage, level,
+                  upload_level(stage, level, options.ambient.value_or(0.15f),
+                               has_effects ? ripples.add_to(stage) : rt_program{}));
     if (options.fog) set_fog(stage, level, *options.fog, options.ambient.value_or(0.15f));
     player.describe(options.time);
+    LevelEffects effects(stage, level, player.uploaded().lights, !options.fog);
+    if (has_effects) effects.describe(options.time, player.follow(cameras[camera]).position);
     const rt_commit_report report = build(stage, options);
     Session session{options, level, std::move(cameras), camera, stage, player, report, {}, 0, 0};
-    session.embers = make_embers(level, options.embers, options.time);
+    if (has_effects) {
+        session.effects = &effects;
+        session.ripples = &ripples;
+    }
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);
     return 0;

@@ -36,6 +36,9 @@ const std::map<std::string, rt_structure> structures = {{"auto", RT_STRUCTURE_AU
 const std::map<std::string, rt_build_quality> builds = {
     {"balanced", RT_BUILD_BALANCED}, {"fast", RT_BUILD_FAST}, {"best", RT_BUILD_BEST}};
 
+const std::map<std::string, Effects> all_effects = {
+    {"plain", Effects::plain}, {"full", Effects::full}, {"rich", Effects::rich}};
+
 const std::map<std::string, peregrine::three_cores::Difficulty> difficulties = {
     {"easy", peregrine::three_cores::Difficulty::easy},
     {"normal", peregrine::three_cores::Difficulty::normal},
@@ -110,7 +113,7 @@ void parse_fog(const std::string& text, Options& options) {
 // The texts of options that need more than CLI11's own parsing.
 struct Texts {
     std::string size = "1280x720", view = "shaded", isa, structure = "auto", build = "balanced";
-    std::string difficulty, fog;
+    std::string difficulty, fog, effects;
     uint32_t frames = 0;
 };
 
@@ -175,6 +178,9 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
            "with --view-only or --headless: find light in blocks of 4, 8 or 16 pixels [0: at "
            "every pixel]")
         ->check(CLI::IsMember({0, 1, 4, 8, 16}));
+    app.add_option("--edges", options.edge_samples,
+                   "with --view-only or --headless: rays a pixel where neighbours differ [1]")
+        ->check(CLI::Range(1u, 16u));
     app.add_option("--occlusion", options.occlusion_range,
                    "with --view-only or --headless: surfaces nearer than so many metres keep "
                    "ambient light from each other [0]")
@@ -193,6 +199,10 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--fog", texts.fog,
                    "with --view-only or --headless: DENSITY,TOP of fog, per metre and metres above "
                    "the lowest place of the scene [none]");
+    app.add_option(
+        "--effects", texts.effects,
+        "plain; full: glow, fires, spray and mist where the level has them; rich: ambient "
+        "occlusion, too [plain; in the game as its options say]");
     app.add_option("--fog-lamps", options.fog_lamps,
                    "with --view-only or --headless: the part of what fog takes from the light of "
                    "lamps that one sees [0]")
@@ -246,6 +256,8 @@ void interpret(const CLI::App& app, const Texts& texts, Options& options) {
     options.sized = app.count("--size") > 0;
     if (!texts.difficulty.empty())
         options.difficulty = find_value(difficulties, texts.difficulty, "--difficulty");
+    if (!texts.effects.empty())
+        options.effects = find_value(all_effects, texts.effects, "--effects");
     const char* variable = std::getenv("PEREGRINE_ISA");
     if (!texts.isa.empty())
         options.isa = find_value(isas, texts.isa, "--isa");

@@ -8,6 +8,8 @@
 
 #include "gameplay/three_cores/rules.h"
 
+#include "effects/effects.h"
+
 namespace host {
 
 // A layer from the ground up; see rt_fog.
@@ -37,15 +39,17 @@ struct Options {
     std::optional<float> scale; // none: 1, or in the game as the player has set it
     bool no_shadows = false;
     uint32_t light_block = 0;     // rt_frame_desc::light_block
+    uint32_t edge_samples = 1;    // rt_frame_desc::edge_samples
     float occlusion_range = 0.0f; // rt_frame_desc::occlusion_range, ...
     uint32_t occlusion_block = 8;
     bool light_proofs = false;
     float lamp_radius = 0.0f; // rt_light_desc::source_radius of all lights
     float bloom = 0.0f;       // rt_frame_desc::bloom
     std::optional<Fog> fog;
-    float fog_lamps = 0.0f;   // rt_light_desc::fog_scatter of all lamps
-    uint32_t fog_shadows = 8; // rt_frame_desc::airlight_shadows
-    uint32_t embers = 0;      // particles above the lamps
+    float fog_lamps = 0.0f;         // rt_light_desc::fog_scatter of all lamps
+    uint32_t fog_shadows = 8;       // rt_frame_desc::airlight_shadows
+    std::optional<Effects> effects; // none: plain, or in the game as the player has set it
+    uint32_t embers = 0;            // particles above the lamps
     bool list_cameras = false;
     bool list_pads = false;
     std::string pad_map; // a file; see pads/player_mappings.h

@@ -82,6 +82,9 @@ PlayerSettings read_settings(const std::filesystem::path& path, std::string& not
     fields.read("invert_look", settings.invert_look);
     fields.read("volume", settings.volume, 0, 100);
     fields.read("vibration", settings.vibration);
+    int effects = static_cast<int>(settings.effects);
+    fields.read("effects", effects, 0, 2);
+    settings.effects = static_cast<Effects>(effects);
     int difficulty = static_cast<int>(settings.difficulty);
     fields.read("difficulty", difficulty, 0, 2);
     settings.difficulty = static_cast<three_cores::Difficulty>(difficulty);
@@ -96,6 +99,7 @@ std::string write_settings(const std::filesystem::path& path, const PlayerSettin
                           {"height", settings.height},
                           {"fullscreen", settings.fullscreen},
                           {"render_scale", settings.render_scale},
+                          {"effects", static_cast<int>(settings.effects)},
                           {"field_of_view", settings.field_of_view},
                           {"sensitivity", settings.sensitivity},
                           {"invert_look", settings.invert_look},

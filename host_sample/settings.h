@@ -5,6 +5,8 @@
 
 #include "gameplay/three_cores/rules.h"
 
+#include "effects/effects.h"
+
 namespace host {
 
 namespace three_cores = peregrine::three_cores;
@@ -13,7 +15,8 @@ namespace three_cores = peregrine::three_cores;
 struct PlayerSettings {
     int width = 1280, height = 720; // of the window while it is not full screen
     bool fullscreen = false;
-    int render_scale = 0;     // per cent of the window's sides, 25 to 100; 0: as the time allows
+    int render_scale = 0; // per cent of the window's sides, 25 to 100; 0: as the time allows
+    Effects effects = Effects::full;
     int field_of_view = 60;   // degrees, from top to bottom; 45 to 90
     double sensitivity = 1.0; // 0.2 to 3, of mouse and stick
     bool invert_look = false; // up is down

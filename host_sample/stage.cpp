@@ -62,10 +62,12 @@ rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, voi
     desc.no_shadows = frame.no_shadows ? 1 : 0;
     desc.light_block = frame.light_block;
     desc.light_tolerance = light_tolerance;
+    desc.edge_samples = frame.edge_samples;
     desc.occlusion_range = frame.occlusion_range;
     desc.occlusion_block = frame.occlusion_block;
     desc.bloom = frame.bloom;
     desc.airlight_shadows = frame.airlight_shadows;
+    desc.airlight_block = 2;
     desc.measure_luminance = frame.measures_luminance ? 1 : 0;
     desc.particles = frame.particles;
     desc.snapshot = frame.snapshot;

@@ -17,10 +17,11 @@ struct Frame {
     float depth_range = 50.0f;
     bool no_shadows = false;
     uint32_t light_block = 0;  // rt_frame_desc::light_block
+    uint32_t edge_samples = 1; // rt_frame_desc::edge_samples
     float occlusion_range = 0; // rt_frame_desc::occlusion_range, ...
     uint32_t occlusion_block = 8;
-    float bloom = 0; // rt_frame_desc::bloom
-    uint32_t airlight_shadows = 8;
+    float bloom = 0;               // rt_frame_desc::bloom
+    uint32_t airlight_shadows = 0; // rt_frame_desc::airlight_shadows, in blocks of 2x2
     bool measures_luminance = false;
     rt_array particles{};   // rt_frame_desc::particles
     rt_snapshot snapshot{}; // null: the current one

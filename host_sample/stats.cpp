@@ -29,6 +29,8 @@ constexpr std::pair<uint32_t, const char*> features[] = {
     {RT_FEATURE_BLENDING, "blending"},
     {RT_FEATURE_SKY, "sky"},
     {RT_FEATURE_FOG, "fog"},
+    {RT_FEATURE_PROGRAMS, "programs"},
+    {RT_FEATURE_PROGRAM_RAYS, "program_rays"},
     {RT_FEATURE_AIRLIGHT, "airlight"}};
 
 Json describe_left_out(uint32_t bits) {

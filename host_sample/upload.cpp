@@ -21,8 +21,8 @@ rt_wrap to_wrap(Wrap wrap) {
 
 class Uploader {
 public:
-    Uploader(Stage& stage, const Level& level, uint32_t layer_mask)
-        : stage_(stage), level_(level), layer_mask_(layer_mask) {
+    Uploader(Stage& stage, const Level& level, uint32_t layer_mask, rt_program water = {})
+        : stage_(stage), level_(level), layer_mask_(layer_mask), water_(water) {
         for (const Texture& texture : level_.textures) add_texture(texture);
         for (const Material& material : level_.materials) add_material(material);
     }
@@ -95,6 +95,10 @@ private:
         desc.normal_texture = to_use(material.normal_texture);
         desc.emissive_texture = to_use(material.emissive_texture);
         desc.user_data = materials_.size();
+        if (material.name == "water" && water_.generation != 0) {
+            desc.program = water_;
+            desc.reflectivity = desc.transmission = 0.0f; // it mirrors by itself
+        }
         rt_material handle{};
         stage_.check(stage_.api().add_material(stage_.scene(), &desc, &handle),
                      "adding a material");
@@ -162,6 +166,7 @@ private:
     Stage& stage_;
     const Level& level_;
     uint32_t layer_mask_;
+    rt_program water_; // null: water is what its material says
     std::vector<rt_texture> textures_;
     std::vector<rt_material> materials_;
     Uploaded uploaded_;
@@ -193,9 +198,9 @@ bool place_mesh(const Stage& stage, rt_mesh mesh, const glm::dmat4& world) {
     return true;
 }
 
-Uploaded upload_level(Stage& stage, const Level& level, float ambient) {
+Uploaded upload_level(Stage& stage, const Level& level, float ambient, rt_program water) {
     static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16);
-    return Uploader(stage, level, ~0u).run(ambient);
+    return Uploader(stage, level, ~0u, water).run(ambient);
 }
 
 Uploaded upload_rigid_meshes(Stage& stage, const Level& level, uint32_t layer_mask) {

@@ -16,8 +16,8 @@ struct Uploaded {
 };
 
 // Describes a level to the engine, with an ambient light of the given strength and a background
-// that suits it. Throws EngineError.
-Uploaded upload_level(Stage& stage, const Level& level, float ambient);
+// that suits it. Materials that are called water get that program. Throws EngineError.
+Uploaded upload_level(Stage& stage, const Level& level, float ambient, rt_program water = {});
 
 // Only the rigid meshes and what they look like; in these layers. Throws EngineError.
 Uploaded upload_rigid_meshes(Stage& stage, const Level& level, uint32_t layer_mask);

@@ -51,7 +51,7 @@ public:
             const auto now = Clock::now();
             const double seconds = std::chrono::duration<double>(now - before).count();
             before = now;
-            session_.show_moment(session_.player.time() + seconds);
+            session_.show_moment(session_.player.time() + seconds, walker_.viewpoint().position);
             const Desk desk = window_.take_desk();
             obey(desk);
             move(controls_of(desk), std::min(seconds, longest_step));

@@ -184,6 +184,30 @@ def archivolt(radius: float, width: float = 0.32, proud: float = 0.06, stones: i
     return merge(meshes)
 
 
+def tube_about(o: Opening, distance: float, thickness: float = 0.035, sides: int = 6) -> Mesh:
+    """A tube so far about an opening, from foot to foot, 0.12 m before the wall."""
+    middle, radius = (o.x0 + o.x1) / 2, o.radius + distance
+    turns = [(math.cos(math.pi * k / 20), math.sin(math.pi * k / 20)) for k in range(21)]
+    path = [(middle + radius * c, o.spring + radius * s) for c, s in turns]
+    path = [(middle + radius, 0.25), *path, (middle - radius, 0.25)]
+    out = [(1.0, 0.0), *turns, (-1.0, 0.0)]
+    around = [2 * math.pi * (j % sides) / sides for j in range(sides + 1)]
+    positions = np.array(
+        [
+            [
+                (
+                    x + thickness * math.cos(t) * c,
+                    y + thickness * math.cos(t) * s,
+                    0.12 - thickness * math.sin(t),
+                )
+                for t in around
+            ]
+            for (x, y), (c, s) in zip(path, out)
+        ]
+    )
+    return closed_surface(positions, np.zeros((*positions.shape[:2], 2)))
+
+
 def arched_pane(o: Opening, depth: float, unit: bool) -> Mesh:
     """Fills an opening; `unit` stretches the texture once over its bounds."""
     curve = o.curve()

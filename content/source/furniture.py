@@ -139,7 +139,10 @@ def _strut(a, b, half: float) -> Mesh:
     return merge(quads)
 
 
-def chandelier(drop: float, radius: float = 1.25, candles: int = 10) -> Model:
+CHANDELIER, SMALL_CHANDELIER = (1.25, 16), (0.8, 8)  # radius in metres, candles
+
+
+def chandelier(drop: float, radius: float, candles: int) -> Model:
     """Its ring lies at y = 0 and it hangs from y = drop; the light belongs at (0, 0.5, 0)."""
     model = Model()
     crown = 1.9
@@ -494,8 +497,8 @@ def fountain() -> Model:
     model.add(
         "trim",
         lathe([(0.1, 2.5), (0.07, 2.7), (0.12, 2.78), (0.04, 2.84)], 12),
-        sphere(0.2, 16, 10).transformed(translation(0, 3.0, 0)),
     )
+    model.add("crystal_ball", sphere(0.2, 16, 10).transformed(translation(0, 3.0, 0)))
     for radius, y in ((1.70, 0.56), (0.88, 1.91), (0.42, 2.59)):
         disc = lathe([(radius, y), (radius * 0.5, y + 0.001), (0.0, y + 0.001)], 32, 80)
         model.add("water", disc.with_uvs(disc.positions[:, [0, 2]]))

@@ -64,6 +64,7 @@ class Writer:
         self.images: list[dict] = []
         self.textures: list[dict] = []
         self.materials: list[dict] = []
+        self.used: set[str] = set()  # extensions of materials
         self.meshes: list[dict] = []
         self.mesh_numbers: dict[str, int] = {}
         self.triangles: dict[str, int] = {}
@@ -138,15 +139,32 @@ class Writer:
             entry["emissiveFactor"] = list(m.emissive)
         if m.glows:
             entry["emissiveTexture"] = dict(pbr["baseColorTexture"])
-        if m.emissive_strength != 1.0:
-            strength = {"emissiveStrength": m.emissive_strength}
-            entry["extensions"] = {"KHR_materials_emissive_strength": strength}
+        if extensions := self.extensions(m):
+            entry["extensions"] = extensions
         if m.masked:
             entry["alphaMode"] = "MASK"
             entry["alphaCutoff"] = 0.5
         if m.double_sided:
             entry["doubleSided"] = True
         return entry
+
+    def extensions(self, m: Material) -> dict:
+        found = {}
+        if m.emissive_strength != 1.0:
+            found["emissive_strength"] = {"emissiveStrength": m.emissive_strength}
+        if m.index:
+            found["ior"] = {"ior": m.index}
+        if m.transmission:
+            found["transmission"] = {"transmissionFactor": m.transmission}
+        if m.thickness:
+            found["volume"] = {
+                "thicknessFactor": m.thickness,
+                "attenuationColor": list(m.attenuation),
+                "attenuationDistance": m.attenuation_distance,
+            }
+        found = {f"KHR_materials_{name}": value for name, value in found.items()}
+        self.used |= found.keys()
+        return found
 
     def mesh(self, name: str, parts: dict[str, Mesh]) -> None:
         primitives = []
@@ -237,7 +255,7 @@ class Writer:
     def document(self) -> dict:
         return {
             "asset": {"version": "2.0", "generator": f"Peregrine content/generate_{self.name}.py"},
-            "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_emissive_strength"],
+            "extensionsUsed": ["KHR_lights_punctual", *sorted(self.used)],
             "extensions": {"KHR_lights_punctual": {"lights": self.punctual()}},
             "scene": 0,
             "scenes": [{"name": self.name, "nodes": self.roots()}],

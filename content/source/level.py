@@ -31,7 +31,7 @@ from .mesh import (
     scaling,
     translation,
 )
-from .scene import FIRE, MOON, WARM, Scene
+from .scene import FIRE, MOON, NEON, WARM, Scene
 
 BAY = 4.0
 ARCADE = 6.2  # the middle of the nave's arcades
@@ -82,8 +82,8 @@ def add_prefabs(scene: Scene) -> None:
         "balustrade": arch.balustrade(BAY - 0.8),
         "archivolt": Model().add("trim", arch.archivolt(1.6)),
         "sconce": fit.sconce(),
-        "chandelier": fit.chandelier(EAVES + NAVE - 8.6),
-        "small_chandelier": fit.chandelier(LIBRARY_CEILING - 7.55, 0.8, 8),
+        "chandelier": fit.chandelier(EAVES + NAVE - 8.6, *fit.CHANDELIER),
+        "small_chandelier": fit.chandelier(LIBRARY_CEILING - 7.55, *fit.SMALL_CHANDELIER),
         "brazier": fit.brazier(),
         "torchere": fit.torchere(),
         "lantern": fit.lantern(),
@@ -328,6 +328,9 @@ def grand_stair(scene: Scene) -> None:
     )
     room.add_model(east).add_model(east, MIRROR_X)
     for s in (-1, 1):
+        for k in range(FLIGHT):
+            votive(scene, s * 1.62, (k + 1) * RISE, foot - (k + 0.55) * GOING)
+            votive(scene, s * (2.0 + (k + 0.55) * GOING), LANDING + (k + 1) * RISE, NORTH + 0.22)
         scene.put("newel", s * 1.88, 0, foot + 0.05)
         scene.put("newel", s * 1.88, LANDING, edge - 0.28)
         scene.put("newel", s * 6.62, GALLERY, side_front - 0.12)
@@ -377,10 +380,25 @@ def sconce(scene: Scene, x: float, y: float, z: float, yaw: float, candela=11.5,
     )
 
 
+def ring_of_candles(scene: Scene, x, y, z, ring: tuple, yaw: float = 0.0) -> None:
+    """The lamps of a chandelier's candles."""
+    radius, count = ring
+    for k in range(count):
+        a = 2 * math.pi * (k + 0.5) / count - math.radians(yaw)
+        at = (x + radius * math.cos(a), y + 0.42, z + radius * math.sin(a))
+        scene.light("candle", *at, WARM, 0.5, 2.5)
+
+
+def votive(scene: Scene, x: float, y: float, z: float) -> None:
+    scene.put("candle", x, y, z, 37.0 * (x + z))
+    scene.light("candle", x, y + 0.33, z, FIRE, 0.45, 2.0)
+
+
 def hall_fittings(scene: Scene) -> None:
     for z in (-8.0, -15.0, -22.0):
         scene.put("chandelier", 0, 8.6, z, 15)
-        scene.light("chandelier", 0, 9.2, z, WARM, 27, 14)
+        scene.light("chandelier", 0, 9.2, z, WARM, 23, 14)
+        ring_of_candles(scene, 0, 8.6, z, fit.CHANDELIER, 15)
     for s in (-1, 1):
         for z in (-11.0, -15.0, -19.0, -23.0):
             scene.put("torchere", s * 1.75, 0, z)
@@ -413,6 +431,9 @@ def courtyard(scene: Scene) -> None:
         arch.wall(z1 - z0, COURT_WALL, 0.6, [gate], back=None), place(x1, 0, z0, WEST_FACING)
     )
     frame(court, gate, place(x1, 0, z0, WEST_FACING))
+    court.add("neon", arch.tube_about(gate, 0.42).transformed(place(x1, 0, z0, WEST_FACING)))
+    for z, y in ((-14.4, 1.6), (-17.6, 1.6), (-16.0, 4.3)):
+        scene.light("neon", x1 - 0.4, y, z, NEON, 4.0, 6.0)
     beyond = arch.arched_pane(gate, 0.55, False)
     court.add("planks", beyond.transformed(place(x1, 0, z0, WEST_FACING)))
     battlements(court, x0, z0, x1, z1)
@@ -503,7 +524,12 @@ def sky_dome(radius: float) -> Mesh:
 
 def court_fittings(scene: Scene) -> None:
     scene.put("fountain", 20.0, 0, -15.0)
+    scene.mark("spray_0", 20.0, 3.05, -15.0)
+    scene.mark("mist_0", 19.0, 1.7, -16.0)
     scene.light("fountain", 20.0, 3.9, -13.6, MOON, 10, 8)
+    for k in range(14):
+        a = 2 * math.pi * k / 14
+        votive(scene, 20.0 + 1.86 * math.cos(a), 0.72, -15.0 + 1.86 * math.sin(a))
     scene.light("moon", 22.5, 13.5, -12.0, MOON, 160, 30)
     for x, z, yaw in (
         (16.0, COURT_SOUTH, 180),
@@ -664,7 +690,8 @@ def store_fittings(scene: Scene) -> None:
 def library_fittings(scene: Scene) -> None:
     for z in (-11.0, -20.0):
         scene.put("small_chandelier", -15.8, 7.55, z)
-        scene.light("library", -15.8, 8.05, z, WARM, 28, 12)
+        scene.light("library", -15.8, 8.05, z, WARM, 25, 12)
+        ring_of_candles(scene, -15.8, 7.55, z, fit.SMALL_CHANDELIER)
         scene.put("table", -15.8, GALLERY, z, 90)
         scene.put("bench", -14.8, GALLERY, z, 90)
         scene.put("bench", -16.8, GALLERY, z, 90)

@@ -24,6 +24,11 @@ class Material:
     masked: bool = False
     double_sided: bool = False
     quality: int = 88
+    index: float = 0.0  # of refraction; 0: glTF's 1.5
+    transmission: float = 0.0  # the part that goes through
+    thickness: float = 0.0  # metres; 0: a sheet
+    attenuation: tuple = (1.0, 1.0, 1.0)  # what is left of white light after ...
+    attenuation_distance: float = 0.0  # ... so many metres
 
 
 def _red_banner():
@@ -37,7 +42,7 @@ def _blue_banner():
 MATERIALS = [
     Material("ashlar", 2.0, 0.85, relief=textures.ashlar),
     Material("trim", 1.0, 0.75, relief=textures.trim),
-    Material("marble", 4.0, 0.32, relief=textures.marble, quality=90),
+    Material("marble", 4.0, 0.03, relief=textures.marble, quality=90, index=1.75),
     Material("flagstones", 2.0, 0.8, relief=textures.flagstones),
     Material("brick", 2.0, 0.9, relief=textures.brick),
     Material("plaster", 2.0, 0.9, relief=textures.plaster),
@@ -46,8 +51,10 @@ MATERIALS = [
     Material("carpet", 1.0, 1.0, relief=textures.carpet),
     Material("coffer", 1.0, 0.7, relief=textures.coffer),
     Material("iron", 1.0, 0.45, 0.3, relief=textures.iron),
-    Material("brass", 1.0, 0.3, 0.35, picture=textures.brass),
-    Material("water", 1.5, 0.12, relief=textures.water),
+    Material("brass", 1.0, 0.12, 0.8, picture=textures.brass),
+    Material("water", 1.5, 0.0, relief=textures.water, index=1.33, transmission=0.75),
+    Material("crystal_ball", 1.0, 0.0, index=1.5, transmission=1.0, thickness=0.4,
+             attenuation=(0.75, 0.9, 1.0), attenuation_distance=0.4),
     Material("books", 1.0, 0.8, relief=textures.books),
     Material("grate", 1.0, 0.5, 0.3, relief=textures.grate, masked=True, double_sided=True),
     Material("banner_red", 1.0, 1.0, picture=_red_banner, masked=True, double_sided=True),
@@ -65,6 +72,7 @@ MATERIALS = [
              picture=textures.night_sky, glows=True),
     Material("flame", colour=(0.0, 0.0, 0.0), emissive=(1.0, 1.0, 1.0), emissive_strength=1.3,
              picture=textures.fire, glows=True),
+    Material("neon", colour=(0.0, 0.0, 0.0), emissive=(0.10, 0.85, 1.0), emissive_strength=6.0),
     Material("wax", roughness=0.6, colour=(0.72, 0.64, 0.48), emissive=(0.10, 0.06, 0.025)),
     Material("grass", 4.0, 1.0, picture=textures.grass),
     Material("canvas", colour=(0.75, 0.68, 0.54), double_sided=True),

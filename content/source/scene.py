@@ -11,6 +11,7 @@ from .mesh import Model
 WARM = (1.0, 0.66, 0.34)
 FIRE = (1.0, 0.55, 0.22)
 MOON = (0.50, 0.66, 1.0)
+NEON = (0.10, 0.85, 1.0)
 
 
 @dataclass

@@ -25,7 +25,8 @@ void shade_and_follow(const Plan& plan, TileBuffers& buffers, uint32_t count, fl
         plan.paths.split(hits, memory, scratch);
         light(hits, first);
         const TileBuffers::Channels radiance = buffers.colors_from(first);
-        plan.shader.find_radiance(hits, radiance.channel, scratch);
+        const shade::AskedRays asked = plan.paths.asked_rays(memory);
+        plan.shader.find_radiance(hits, radiance.channel, scratch, &asked);
         if (plan.shader.has_sky()) plan.shader.paint_sky(hits, radiance.channel);
         plan.paths.keep(hits, colors, first, memory, scratch);
     });

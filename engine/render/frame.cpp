@@ -37,6 +37,7 @@ public:
           workers_(std::min(scheduler.concurrency(), tiles_of(plan_.extent)), memory),
           tile_lights_(frame.keeps_light() ? workers_.size() : 0, memory),
           tile_openness_(plan_.shader.finds_openness() ? workers_.size() : 0, memory),
+          program_memory_(plan_.shader.has_programs() ? workers_.size() : 0, memory),
           airlight_(plan_.airlight.any() ? workers_.size() : 0, memory),
           luminance_(frame.counts_luminance() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
@@ -53,6 +54,7 @@ public:
                 workers_[i].openness = &tile_openness_[i];
                 workers_[i].scratch.openness = &tile_openness_[i].memory;
             }
+            if (!program_memory_.empty()) workers_[i].scratch.programs = &program_memory_[i];
             if (!airlight_.empty()) {
                 workers_[i].scratch.airlight = &airlight_[i];
                 plan_.airlight.begin(plan_.eye, airlight_[i]);
@@ -87,6 +89,10 @@ public:
         for (const shade::TileOpenness& openness : tile_openness_) {
             stats.rays_occlusion += openness.memory.ray_count;
             stats.occlusion_points += openness.point_count;
+        }
+        for (const shade::ProgramMemory& programs : program_memory_) {
+            stats.program_hits += programs.hit_count;
+            stats.program_faults += programs.fault_count;
         }
     }
 
@@ -182,10 +188,11 @@ private:
     std::optional<Particles> particles_;
     const Plan plan_;
     base::Vector<TileBuffers> workers_;
-    base::Vector<shade::TileLight> tile_lights_;      // of each worker
-    base::Vector<shade::TileOpenness> tile_openness_; // of each worker
-    base::Vector<shade::AirlightMemory> airlight_;    // of each worker
-    base::Vector<post::LuminanceCounts> luminance_;   // of each worker
+    base::Vector<shade::TileLight> tile_lights_;        // of each worker
+    base::Vector<shade::TileOpenness> tile_openness_;   // of each worker
+    base::Vector<shade::ProgramMemory> program_memory_; // of each worker
+    base::Vector<shade::AirlightMemory> airlight_;      // of each worker
+    base::Vector<post::LuminanceCounts> luminance_;     // of each worker
     shade::LightRoom light_room_;
     PathRoom path_room_;
     base::Vector<post::EdgeCounts> edges_; // of each worker

@@ -147,6 +147,8 @@ struct FrameStats {
     uint64_t rays_occlusion = 0;
     uint64_t occlusion_points = 0;
     uint64_t rays_particle = 0;
+    uint64_t program_hits = 0;
+    uint64_t program_faults = 0;
     float mean_luminance = 0; // 0: not measured
     double frame_ms = 0;
     base::Isa isa = base::Isa::scalar;

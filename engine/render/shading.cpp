@@ -63,7 +63,7 @@ void find_light(const Plan& plan, TileBuffers& buffers) {
 void shade_blocks(const Plan& plan, TileBuffers& buffers) {
     find_light(plan, buffers);
     buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
-        plan.shader.find_surfaces(hits, shade::SurfacePart::colors, buffers.scratch);
+        plan.shader.find_surfaces(hits, plan.shader.part_beside_light(), buffers.scratch);
         take_light(plan, hits, first, buffers);
         plan.shader.take_openness(hits, buffers.openness_from(first), buffers.scratch);
         plan.shader.find_radiance(hits, buffers.colors_from(first).channel, buffers.scratch);

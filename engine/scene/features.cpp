@@ -17,6 +17,8 @@ uint32_t features_of(const Material& material) {
     if (material.reflectivity > 0) features |= kReflection;
     if (material.transmission > 0) features |= kTransmission;
     if (material.blended) features |= kBlending;
+    if (material.program != 0) features |= kPrograms;
+    if (material.asks_rays) features |= kProgramRays;
     return features;
 }
 

@@ -27,12 +27,14 @@ enum Feature : uint32_t {
     kBlending = 1u << 11,
     kSky = 1u << 12,
     kFog = 1u << 13,
-    kAirlight = 1u << 14,
-    kAllFeatures = (1u << 15) - 1,
+    kPrograms = 1u << 14,
+    kProgramRays = 1u << 15,
+    kAirlight = 1u << 16,
+    kAllFeatures = (1u << 17) - 1,
 };
 
 // Of materials at which paths go on.
-inline constexpr uint32_t kPathFeatures = kReflection | kTransmission | kBlending;
+inline constexpr uint32_t kPathFeatures = kReflection | kTransmission | kBlending | kProgramRays;
 // ... that light may pass.
 inline constexpr uint32_t kLightPassingFeatures = kTransmission | kBlending;
 

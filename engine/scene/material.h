@@ -37,7 +37,9 @@ struct Material {
     math::Vec3 reflection_color{1}; // ... times this
     float transmission = 0;         // of what is not mirrored
     float index_of_refraction = 1.5f;
-    math::Vec3 absorption{0}; // of a solid, per metre
+    math::Vec3 absorption{0};   // of a solid, per metre
+    uint32_t program : 31 = 0;  // of the host, in MaterialSet::programs; 0: none. It ...
+    uint32_t asks_rays : 1 = 0; // ... may send rays on
 
     // Whether it is the hull of something that light goes through, and bends in.
     bool is_solid() const { return transmission > 0 && !thin; }

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
+#include "scene/program.h"
 #include "scene/texture.h"
 
 #include <cstdint>
@@ -13,10 +14,12 @@ namespace peregrine::scene {
 // The materials of a scene with their textures found; shared by snapshots between which none of
 // them changed.
 struct MaterialSet {
-    explicit MaterialSet(base::Memory* memory) : materials(memory), textures(memory) {}
+    explicit MaterialSet(base::Memory* memory)
+        : materials(memory), textures(memory), programs(memory) {}
 
     base::Vector<Material> materials;                      // 0 is the default one, slot i at i + 1
     base::Vector<std::shared_ptr<const Texture>> textures; // keeps those of the materials alive
+    base::Vector<HostProgram> programs; // 0 is none, slot i at i + 1; empty if the scene has none
 };
 
 // What a mesh shows of them; shared likewise.

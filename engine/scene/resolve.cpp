@@ -29,6 +29,10 @@ Material resolve(Scene& scene, const MaterialDescription& description, Handle ha
     resolve(scene, material.base_color_texture, description.base_color_texture, handle);
     resolve(scene, material.normal_texture, description.normal_texture, handle);
     resolve(scene, material.emissive_texture, description.emissive_texture, handle);
+    if (const HostProgram* const program = scene.programs.find(description.program)) {
+        material.program = (description.program.index + 1) & 0x7fffffffu;
+        material.asks_rays = program->wants(HostProgram::kRays) ? 1 : 0;
+    }
     return material;
 }
 
@@ -44,6 +48,12 @@ std::shared_ptr<const MaterialSet> resolve_materials(Scene& scene) {
     const auto set = allocate<MaterialSet>(scene);
     for (const auto& slot : scene.textures.slots())
         if (slot.object) set->textures.push_back(*slot.object);
+    if (scene.programs.count() > 0) {
+        set->programs.resize(scene.programs.slots().size() + 1);
+        for (size_t i = 0; i < scene.programs.slots().size(); ++i)
+            if (const auto& program = scene.programs.slots()[i].object)
+                set->programs[i + 1] = *program;
+    }
     const auto& slots = scene.materials.slots();
     set->materials.assign(slots.size() + 1, default_material());
     for (uint32_t i = 0; i < slots.size(); ++i)

@@ -21,9 +21,9 @@ uint32_t next_first_generation() {
 Scene::Scene(const SceneOptions& options)
     : first_generation_(next_first_generation()), memory(options.memory), recycled(&memory),
       frame_memory(&memory), scheduler(options.worker_count, options.host_scheduler, &memory),
-      textures(first_generation_, &memory), materials(first_generation_, &memory),
-      meshes(first_generation_, &memory), lights(first_generation_, &memory),
-      snapshots(first_generation_, &recycled),
+      textures(first_generation_, &memory), programs(first_generation_, &memory),
+      materials(first_generation_, &memory), meshes(first_generation_, &memory),
+      lights(first_generation_, &memory), snapshots(first_generation_, &recycled),
       isa_(options.isa == base::Isa::best ? base::best_isa() : options.isa), views_(&recycled),
       extents_(&memory), places_(&memory) {
     if (!base::is_available(isa_))

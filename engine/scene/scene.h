@@ -13,6 +13,7 @@
 #include "scene/lights/light_set.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
+#include "scene/program.h"
 #include "scene/snapshot.h"
 #include "scene/snapshot_store.h"
 #include "scene/texture.h"
@@ -63,12 +64,13 @@ struct MeshDescription {
     }
 };
 
-// A material whose textures are still handles: commit resolves them.
+// A material whose textures and program are still handles: commit resolves them.
 struct MaterialDescription {
     Material material;
     Handle base_color_texture;
     Handle normal_texture;
     Handle emissive_texture;
+    Handle program = {};
 };
 
 // How to build the structure over the fixed meshes.
@@ -133,6 +135,7 @@ public:
     base::Scheduler scheduler;
 
     base::SlotMap<std::shared_ptr<const Texture>> textures;
+    base::SlotMap<HostProgram> programs; // those of materials are there
     base::SlotMap<MaterialDescription> materials;
     base::SlotMap<MeshDescription> meshes;
     base::SlotMap<Light> lights;

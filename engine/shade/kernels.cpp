@@ -90,7 +90,7 @@ constexpr Kernels kKernels = {
     place_points,
     {airlight_by_law<false>(std::make_index_sequence<scene::kFalloffCount>()),
      airlight_by_law<true>(std::make_index_sequence<scene::kFalloffCount>())},
-    split_paths,
+    {split_paths<false>, split_paths<true>},
     absorb,
 };
 

@@ -116,7 +116,7 @@ struct Kernels {
                          float* const to[3]);
     std::array<AddUpAirlight, 2> add_up_airlight; // of points, of spots
 
-    SplitPaths split_paths;
+    std::array<SplitPaths, 2> split_paths; // whether programs of the host are there
     // Takes from weights what is absorbed on the way to t.
     void (*absorb)(const float* const direction[3], const float* t, uint32_t count,
                    const Surface::Lanes* absorption, Surface::Lanes* weight);

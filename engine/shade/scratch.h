@@ -5,6 +5,7 @@
 #include "shade/light/light_lists.h"
 #include "shade/light/shadow_memory.h"
 #include "shade/occlusion/openness.h"
+#include "shade/program/program_memory.h"
 #include "shade/surface/surface.h"
 
 namespace peregrine::shade {
@@ -17,6 +18,7 @@ struct alignas(64) Scratch {
     ShadowMemory shadow;
     LightLists lists;
     OpennessMemory* openness = nullptr; // if the shader finds it
+    ProgramMemory* programs = nullptr;  // if the shader has any
     AirlightMemory* airlight = nullptr; // of frames that have any
 };
 

@@ -8,7 +8,8 @@ Shader::Shader(const scene::Snapshot& snapshot, uint32_t features, bool shadows,
     : snapshot_(&snapshot), kernels_(&shade::kernels(snapshot.isa())),
       space_(snapshot.world, origin, lights.empty() ? 0 : snapshot.lights->largest_radius),
       features_(features), program_(program_for(features)),
-      lighting_(snapshot, lights, space_, program_, shadows, unseen) {}
+      lighting_(snapshot, lights, space_, program_, shadows, unseen),
+      programs_(snapshot, features, space_) {}
 
 void Shader::find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const {
     uint32_t unasked = 0; // textures that this part does not sample
@@ -19,11 +20,19 @@ void Shader::find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scrat
                                             scratch.surface);
 }
 
-void Shader::find_radiance(const RayHits& hits, float* const radiance[3],
-                           const Scratch& scratch) const {
+void Shader::gather_light(const RayHits& hits, Scratch& scratch, BatchMarks* marks) const {
+    const bool spares = programs_.spare_light() && !marks;
+    if (spares) programs_.turn_away(hits, scratch);
+    lighting_.gather(hits, scratch, marks);
+    if (spares) programs_.turn_back(scratch);
+}
+
+void Shader::find_radiance(const RayHits& hits, float* const radiance[3], Scratch& scratch,
+                           const AskedRays* rays) const {
     const bool emissive = features_ & scene::kEmissive;
     kernels_->find_radiance[finds_openness()][emissive][uint32_t(program_)](
         scratch.surface, scratch.light, hits, snapshot_->environment, radiance);
+    if (has_programs()) programs_.run(hits, radiance, scratch, finds_openness(), rays);
 }
 
 void Shader::take_openness(const RayHits& hits, const float* openness, Scratch& scratch) const {

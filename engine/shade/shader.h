@@ -4,6 +4,7 @@
 #include "shade/kernels.h"
 #include "shade/light/lighting.h"
 #include "shade/occlusion/openness.h"
+#include "shade/program/programs.h"
 #include "shade/scratch.h"
 
 #include <cstdint>
@@ -31,9 +32,7 @@ public:
     void find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const;
 
     // Fills scratch.light for scratch.surface; see Lighting::gather.
-    void gather_light(const RayHits& hits, Scratch& scratch, BatchMarks* marks) const {
-        lighting_.gather(hits, scratch, marks);
-    }
+    void gather_light(const RayHits& hits, Scratch& scratch, BatchMarks* marks) const;
 
     // Of scratch.surface, which is SurfacePart::smooth.
     void find_openness(const RayHits& hits, Scratch& scratch, float* openness) const {
@@ -44,8 +43,14 @@ public:
     // hits. These need scratch.surface.
     void take_openness(const RayHits& hits, const float* openness, Scratch& scratch) const;
 
-    // From scratch.surface and scratch.light.
-    void find_radiance(const RayHits& hits, float* const radiance[3], const Scratch& scratch) const;
+    // From scratch.surface and scratch.light. `rays`: as of Programs::run.
+    void find_radiance(const RayHits& hits, float* const radiance[3], Scratch& scratch,
+                       const AskedRays* rays = nullptr) const;
+    // What it needs of surfaces whose light is known.
+    SurfacePart part_beside_light() const {
+        return programs_.any() ? SurfacePart::all : SurfacePart::colors;
+    }
+    bool has_programs() const { return programs_.any(); }
 
     // Over what find_radiance() says of rays that hit nothing, if there is a sky.
     bool has_sky() const { return features_ & scene::kSky; }
@@ -73,6 +78,7 @@ private:
     Program program_;
     Lighting lighting_;
     std::optional<Openness> openness_;
+    Programs programs_;
 };
 
 } // namespace peregrine::shade

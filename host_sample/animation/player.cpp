@@ -45,8 +45,9 @@ bool Player::describe(double seconds) {
     });
 }
 
-void Player::show(double seconds, rt_structure structure, rt_build_quality quality) {
-    if (!describe(seconds)) return;
+void Player::show(double seconds, rt_structure structure, rt_build_quality quality, bool changed) {
+    const bool moved = describe(seconds);
+    if (!moved && !changed) return;
     timed(log_.commit, [&] { stage_.commit(structure, quality, nullptr); });
 }
 

@@ -27,8 +27,9 @@ public:
     // false if nothing changes. The first time, rigid meshes are put where they belong.
     bool describe(double seconds);
 
-    // Describes a moment and commits it, if anything changes.
-    void show(double seconds, rt_structure structure, rt_build_quality quality);
+    // Describes a moment and commits it, if anything changes, or has.
+    void show(double seconds, rt_structure structure, rt_build_quality quality,
+              bool changed = false);
 
     // A camera of the level as it is now.
     Viewpoint follow(const Viewpoint& camera) const;

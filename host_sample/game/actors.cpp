@@ -21,6 +21,10 @@ glm::dmat4 looking_along(const glm::dvec3& place, const glm::dvec3& direction) {
             glm::dvec4(place, 1)};
 }
 
+double seconds_of(const Game& game) {
+    return static_cast<double>(game.ticks()) * three_cores::kTick;
+}
+
 rt_light_desc light_of(const three_cores::Glow& glow) {
     const three_cores::Lamp& lamp = glow.lamp;
     rt_light_desc light = rt_default_light_desc();
@@ -34,14 +38,16 @@ rt_light_desc light_of(const three_cores::Glow& glow) {
     light.cone_outer_cos = static_cast<float>(lamp.cos_outer);
     light.cone_inner_cos = static_cast<float>(lamp.cos_inner);
     light.casts_no_shadow = glow.casts_shadow ? 0 : 1;
+    light.fog_scatter = 0.8f; // beams of drones are seen in mist
     return light;
 }
 
 } // namespace
 
-Actors::Actors(Stage& stage, const Props& props)
+Actors::Actors(Stage& stage, const Props& props, LevelEffects& effects)
     : drones_(stage, props.drone), drones_off_(stage, props.drone_off), cores_(stage, props.core),
-      grenades_(stage, props.grenade), bolts_(stage, props.bolt), lamps_(stage) {}
+      grenades_(stage, props.grenade), bolts_(stage, props.bolt), lamps_(stage), effects_(effects) {
+}
 
 void Actors::show(const Game& game) {
     show_drones(game);
@@ -57,6 +63,20 @@ void Actors::show(const Game& game) {
     lit_.clear();
     for (const three_cores::Glow& glow : game.glows()) lit_.push_back(light_of(glow));
     lamps_.show(lit_);
+    if (has_effects_)
+        effects_.describe(seconds_of(game), game.eye().position);
+    else
+        effects_.hide_mist();
+}
+
+void Actors::add_particles(const Game& game, std::span<const three_cores::Event> events,
+                           std::vector<rt_particle>& particles) {
+    const double seconds = seconds_of(game);
+    sparks_.add(events, seconds);
+    if (!has_effects_) return;
+    effects_.add_particles(seconds, particles);
+    sparks_.add_particles(seconds, particles);
+    add_glints(game, particles);
 }
 
 void Actors::show_drones(const Game& game) {
@@ -70,7 +90,7 @@ void Actors::show_drones(const Game& game) {
 }
 
 void Actors::show_cores(const Game& game) {
-    const double seconds = static_cast<double>(game.ticks()) * three_cores::kTick;
+    const double seconds = seconds_of(game);
     std::vector<glm::dmat4> places;
     for (const three_cores::Core& core : game.cores()) {
         if (core.taken) continue;
@@ -85,6 +105,7 @@ void Actors::show_cores(const Game& game) {
 void Actors::hide() {
     for (PropPool* pool : {&drones_, &drones_off_, &cores_, &grenades_, &bolts_}) pool->show({});
     lamps_.show({});
+    sparks_ = {};
 }
 
 } // namespace host::game

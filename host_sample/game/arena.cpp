@@ -20,7 +20,9 @@ constexpr float night_ambient = 0.05f;
 
 Level import_level(const Options& options, const Arena::Progress& progress) {
     progress("Reading the level", 0.0f);
-    return load_level(options, gltf::no_animation, is_moved);
+    Level level = load_level(options, gltf::no_animation, is_moved);
+    light_mist(level);
+    return level;
 }
 
 three_cores::Plan make_plan(const Level& level, const Uploaded& uploaded, const Stage& stage) {
@@ -39,7 +41,9 @@ Arena::Arena(const Options& options, const Progress& progress)
     : options_(options), level_(import_level(options, progress)), plugin_(options.library),
       stage_(plugin_.api(), options.threads, options.isa),
       player_(stage_, level_,
-              upload_level(stage_, level_, options.ambient.value_or(night_ambient))),
+              upload_level(stage_, level_, options.ambient.value_or(night_ambient),
+                           ripples_.add_to(stage_))),
+      effects_(stage_, level_, player_.uploaded().lights, !options.fog),
       commit_(rt_default_commit_desc()) {
     commit_.structure = options.structure;
     commit_.quality = options.build;

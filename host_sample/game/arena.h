@@ -3,6 +3,7 @@
 #include "gameplay/three_cores/plan.h"
 
 #include "../animation/player.h"
+#include "../effects/ripples.h"
 #include "../options.h"
 #include "../plugin.h"
 #include "../session.h"
@@ -18,6 +19,8 @@ public:
     Arena(const Options& options, const Progress& progress);
 
     Stage& stage() { return stage_; }
+    LevelEffects& effects() { return effects_; }
+    Ripples& ripples() { return ripples_; }
     const three_cores::Plan& plan() const { return plan_; }
     const rt_commit_desc& commit() const { return commit_; }
     std::string level_name() const; // as players read it
@@ -27,9 +30,11 @@ public:
 private:
     const Options& options_;
     Level level_;
+    Ripples ripples_;
     Plugin plugin_;
     Stage stage_;
     Player player_;
+    LevelEffects effects_;
     rt_commit_desc commit_;
     rt_commit_report report_;
     three_cores::Plan plan_;

@@ -10,11 +10,19 @@ bool Picture::visible() {
     return width_ > 0 && height_ > 0 && !window_.minimised();
 }
 
-void Picture::show(const Viewpoint& view, float exposure, rt_snapshot snapshot) {
-    const bool radiance = presenter_.wants_radiance();
+Frame Picture::describe(float exposure, rt_snapshot snapshot) const {
     Frame frame = session_.frame(static_cast<uint32_t>(width_), static_cast<uint32_t>(height_));
+    host::choose(effects_, frame);
     frame.exposure = exposure;
     frame.snapshot = snapshot;
+    return frame;
+}
+
+void Picture::show(const Viewpoint& view, float exposure, rt_snapshot snapshot,
+                   std::span<const rt_particle> particles) {
+    const bool radiance = presenter_.wants_radiance();
+    session_.particles.assign(particles.begin(), particles.end());
+    Frame frame = describe(exposure, snapshot);
     if (radiance) {
         frame.format = RT_FORMAT_RGBA32F;
         frame.tone_mapping = RT_TONE_NONE;
@@ -48,9 +56,7 @@ void Picture::adapt(double frame_ms, float chosen) {
 std::string Picture::write_screenshot(const Viewpoint& view, float exposure,
                                       rt_snapshot snapshot) const {
     const std::string name = free_screenshot_name();
-    Frame frame = session_.frame(static_cast<uint32_t>(width_), static_cast<uint32_t>(height_));
-    frame.exposure = exposure;
-    frame.snapshot = snapshot;
+    const Frame frame = describe(exposure, snapshot);
     write_picture(session_, view, frame, name);
     return name;
 }

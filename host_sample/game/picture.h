@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "../presenter.h"
@@ -19,10 +20,13 @@ public:
     bool visible();
 
     // Both for a visible window: renders a frame, or shows the last one once more.
-    void show(const Viewpoint& view, float exposure, rt_snapshot snapshot);
+    void show(const Viewpoint& view, float exposure, rt_snapshot snapshot,
+              std::span<const rt_particle> particles);
     void repeat();
     // Whether another view or size was shown last.
     bool is_outdated(const Viewpoint& view) const;
+
+    void choose(Effects effects) { effects_ = effects; }
 
     // After the frame is presented. `chosen`: the scale that the player chose; 0: as fine as the
     // time allows.
@@ -35,10 +39,13 @@ public:
     std::string write_screenshot(const Viewpoint& view, float exposure, rt_snapshot snapshot) const;
 
 private:
+    Frame describe(float exposure, rt_snapshot snapshot) const;
+
     Session& session_;
     Window& window_;
     Presenter presenter_;
     FrameDetail detail_;
+    Effects effects_ = Effects::full;
     int width_ = 0, height_ = 0;
     Viewpoint view_;                                  // of the last frame
     uint32_t sides_[2] = {};                          // of the last frame; 0: there is none

@@ -45,7 +45,7 @@ Play::Play(Arena& arena, Window& window, ui::Ui& ui, const PlayerSettings& setti
            const gameplay::Replay* replay)
     : arena_(arena), window_(window), ui_(ui), session_(arena.session()),
       picture_(session_, window), exposure_(session_, night_sight),
-      actors_(arena.stage(), load_props(arena.stage(), content_file("props.glb"))),
+      actors_(arena.stage(), load_props(arena.stage(), content_file("props.glb")), arena.effects()),
       pads_(hid_, read_pad_map(session_.options.pad_map)), settings_(settings), applied_(settings),
       kept_(settings), difficulty_chosen_(!session_.options.difficulty) {
     const Options& options = session_.options;
@@ -150,7 +150,8 @@ void Play::render(double seconds, rt_snapshot snapshot) {
     const bool due = live_ || rendered_ >= title_frame;
     if (screen_ == Screen::playing || (due && picture_.is_outdated(view_))) {
         exposed_ = exposure_.drift(view_, rendered_);
-        picture_.show(view_, exposed_, snapshot);
+        arena_.ripples().set_time(live_ ? live_->shown().status.seconds : titled_);
+        picture_.show(view_, exposed_, snapshot, shine());
         rendered_ = 0.0;
     } else {
         picture_.repeat();
@@ -166,6 +167,19 @@ void Play::take_screenshot(rt_snapshot snapshot) {
         ui_.toast(sentence(error.what()));
     }
     before_ = Clock::now(); // what this took is no time of the game
+}
+
+// What shines in the air: of the round, or of the level behind the title.
+std::span<const rt_particle> Play::shine() {
+    if (live_) return live_->shown().particles;
+    shining_.clear();
+    if (effects() == Effects::plain) return {};
+    LevelEffects& level = arena_.effects();
+    level.add_particles(titled_, shining_);
+    const rt_commit_desc& commit = arena_.commit();
+    if (level.describe(titled_, view_.position))
+        arena_.stage().commit(commit.structure, commit.quality, nullptr);
+    return shining_;
 }
 
 Viewpoint Play::look(double seconds) {

@@ -40,6 +40,7 @@ private:
     void obey(Intent& intent);
     void show(Intent& intent, const Desk& desk, double seconds);
     Viewpoint look(double seconds);
+    std::span<const rt_particle> shine();
     void render(double seconds, rt_snapshot snapshot);
     void take_screenshot(rt_snapshot snapshot);
     void rest(double busy);
@@ -64,6 +65,7 @@ private:
     PlayerSettings settings_to_keep() const;
     void make_menu_sounds();
 
+    Effects effects() const { return session_.options.effects.value_or(settings_.effects); }
     bool is_mine() const { return setup_.hands == Hands::player; }
 
     Arena& arena_;
@@ -92,8 +94,9 @@ private:
     ui::EndScreen end_;
     Viewpoint view_; // of the last frame
     float exposed_ = 1.0f;
-    double titled_ = 0.0;   // seconds that the picture behind the title was shown
-    double rendered_ = 1.0; // seconds since the last frame that was rendered
+    double titled_ = 0.0;              // seconds that the picture behind the title was shown
+    std::vector<rt_particle> shining_; // behind the title
+    double rendered_ = 1.0;            // seconds since the last frame that was rendered
     Pace pace_;
     bool told_slow_ = false;
     std::string unsaved_;    // why the last record could not be written

@@ -103,6 +103,8 @@ void Play::open_options() {
 void Play::apply_settings() {
     if (mixer_) mixer_->set_volume(settings_.volume / 100.0);
     window_.set_fullscreen(settings_.fullscreen);
+    picture_.choose(effects());
+    actors_.choose(effects());
     if (settings_.width != applied_.width || settings_.height != applied_.height)
         window_.resize(settings_.width, settings_.height);
     applied_ = settings_;

@@ -66,6 +66,8 @@ void Simulation::take() {
     const three_cores::Game& game = round_.game();
     next_.status = game.status();
     next_.over = round_.over();
+    next_.particles.clear();
+    actors_.add_particles(game, next_.events, next_.particles);
     next_.drones.clear();
     for (const three_cores::Drone& drone : game.drones())
         next_.drones.push_back({drone.position(), drone.suspicion(), drone.charge(),

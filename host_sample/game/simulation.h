@@ -23,7 +23,8 @@ struct Shown {
     std::vector<DroneShown> drones;
     std::vector<three_cores::Event> events; // of the last batch of ticks
     std::vector<glm::dvec3> cores;          // that are still there
-    bool over = false;                      // nothing more will happen
+    std::vector<rt_particle> particles;
+    bool over = false; // nothing more will happen
 };
 
 // Plays a round on a thread of its own, some ticks at a time, while the caller renders a frame.

@@ -88,6 +88,14 @@ Option render_scale(PlayerSettings& settings) {
             }};
 }
 
+Option effects(PlayerSettings& settings) {
+    constexpr std::array<const char*, 3> names = {"Plain", "Full", "Rich"};
+    const auto chosen = static_cast<uint32_t>(settings.effects);
+    return {{.label = "Effects", .value = names[chosen]}, [&settings, chosen](int step) {
+                settings.effects = static_cast<Effects>((chosen + (step > 0 ? 1u : 2u)) % 3u);
+            }};
+}
+
 Option sensitivity(PlayerSettings& settings) {
     const auto tenths = static_cast<int>(std::lround(10.0 * settings.sensitivity));
     Entry entry{.label = "Look speed",
@@ -110,6 +118,7 @@ std::vector<Option> all_options(OptionsScreen& screen) {
         window_size(screen),
         toggle("Full screen", settings.fullscreen),
         render_scale(settings),
+        effects(settings),
         range("Field of view", settings.field_of_view, 45, 90, 5,
               std::to_string(settings.field_of_view) + "\xc2\xb0"),
         sensitivity(settings),
@@ -117,7 +126,7 @@ std::vector<Option> all_options(OptionsScreen& screen) {
         range("Volume", settings.volume, 0, 100, 10, std::to_string(settings.volume) + " %"),
         toggle("Vibration", settings.vibration, screen.has_vibration)};
     if (!screen.has_sound) {
-        Entry& volume = options[6].entry;
+        Entry& volume = options[7].entry;
         volume.value = "No device";
         volume.enabled = false;
         volume.level = -1.0f;

@@ -27,9 +27,9 @@ static void print_handles(void) {
     STRUCT(rt_light);
     FIELD(rt_light, index);
     FIELD(rt_light, generation);
-    STRUCT(rt_snapshot);
-    FIELD(rt_snapshot, index);
-    FIELD(rt_snapshot, generation);
+    STRUCT(rt_program);
+    FIELD(rt_program, index);
+    FIELD(rt_program, generation);
     STRUCT(rt_snapshot);
     FIELD(rt_snapshot, index);
     FIELD(rt_snapshot, generation);
@@ -54,6 +54,40 @@ static void print_host(void) {
     FIELD(rt_scene_desc, log_user);
     FIELD(rt_scene_desc, isa);
     FIELD(rt_scene_desc, reserved);
+}
+
+static void print_programs(void) {
+    STRUCT(rt_program_batch);
+    FIELD(rt_program_batch, struct_size);
+    FIELD(rt_program_batch, count);
+    FIELD(rt_program_batch, padded_count);
+    FIELD(rt_program_batch, reserved);
+    FIELD(rt_program_batch, position);
+    FIELD(rt_program_batch, geometric_normal);
+    FIELD(rt_program_batch, shading_normal);
+    FIELD(rt_program_batch, direction);
+    FIELD(rt_program_batch, distance);
+    FIELD(rt_program_batch, footprint);
+    FIELD(rt_program_batch, texcoord);
+    FIELD(rt_program_batch, barycentric);
+    FIELD(rt_program_batch, triangle);
+    FIELD(rt_program_batch, mesh);
+    FIELD(rt_program_batch, back_face);
+    FIELD(rt_program_batch, mesh_user_data);
+    FIELD(rt_program_batch, material_user_data);
+    FIELD(rt_program_batch, base_color);
+    FIELD(rt_program_batch, emissive);
+    FIELD(rt_program_batch, diffuse);
+    FIELD(rt_program_batch, highlight);
+    FIELD(rt_program_batch, openness);
+    FIELD(rt_program_batch, radiance);
+    FIELD(rt_program_batch, ray_direction);
+    FIELD(rt_program_batch, ray_weight);
+    STRUCT(rt_program_desc);
+    FIELD(rt_program_desc, struct_size);
+    FIELD(rt_program_desc, fields);
+    FIELD(rt_program_desc, shade);
+    FIELD(rt_program_desc, user);
 }
 
 static void print_looks(void) {
@@ -95,6 +129,7 @@ static void print_looks(void) {
     FIELD(rt_material_desc, attenuation_distance);
     FIELD(rt_material_desc, thin);
     FIELD(rt_material_desc, reserved);
+    FIELD(rt_material_desc, program);
 }
 
 static void print_shapes(void) {
@@ -470,6 +505,8 @@ static void print_frame(void) {
     FIELD(rt_frame_stats, rays_occlusion);
     FIELD(rt_frame_stats, occlusion_points);
     FIELD(rt_frame_stats, rays_particle);
+    FIELD(rt_frame_stats, program_hits);
+    FIELD(rt_frame_stats, program_faults);
     FIELD(rt_frame_stats, mean_luminance);
     STRUCT(rt_governor);
     FIELD(rt_governor, struct_size);
@@ -552,12 +589,15 @@ static void print_table(void) {
     FIELD(rt_api, resolve_surfaces);
     FIELD(rt_api, govern_frame);
     FIELD(rt_api, set_fog);
+    FIELD(rt_api, add_program);
+    FIELD(rt_api, remove_program);
     FIELD(rt_api, adapt_exposure);
 }
 
 int main(void) {
     print_handles();
     print_host();
+    print_programs();
     print_looks();
     print_shapes();
     print_lights();

@@ -175,6 +175,42 @@ TEST_F(BadField, Material) {
     }
 }
 
+TEST_F(BadField, Program) {
+    rt_program_desc desc = rt_default_program_desc();
+    auto out = kUntouched<rt_program>;
+    expect_refused(rt_add_program(scene(), &desc, &out), RT_ERROR_INVALID_ARGUMENT,
+                   "rt_program_desc.shade is null");
+    desc.shade = [](void*, const rt_program_batch*) {};
+    desc.fields = RT_PROGRAM_RAYS << 1;
+    expect_refused(rt_add_program(scene(), &desc, &out), RT_ERROR_INVALID_ARGUMENT,
+                   "rt_program_desc.fields is 0x20000; the known bits are 0x1ffff");
+    expect_refused(rt_add_program(scene(), nullptr, &out), RT_ERROR_INVALID_ARGUMENT,
+                   "rt_program_desc is null");
+    EXPECT_TRUE(untouched(out));
+    desc.fields = RT_PROGRAM_RAYS;
+    expect_refused(rt_add_program(scene(), &desc, nullptr), RT_ERROR_INVALID_ARGUMENT,
+                   "out_program is null");
+}
+
+TEST_F(BadField, MaterialsWithProgramsAreNoMirrors) {
+    rt_program_desc program = rt_default_program_desc();
+    program.shade = [](void*, const rt_program_batch*) {};
+    rt_material_desc desc = rt_default_material_desc();
+    ASSERT_OK(rt_add_program(scene(), &program, &desc.program));
+    for (const auto& [member, words] :
+         {std::pair{&rt_material_desc::reflectivity, "reflectivity"},
+          std::pair{&rt_material_desc::transmission, "transmission"}}) {
+        rt_material_desc bad = desc;
+        bad.*member = 0.5f;
+        auto out = kUntouched<rt_material>;
+        expect_refused(rt_add_material(scene(), &bad, &out), RT_ERROR_INVALID_ARGUMENT,
+                       std::string("rt_material_desc.") + words + " is 0.5; it must be 0");
+        expect_refused(rt_update_material(scene(), world_->fence, &bad), RT_ERROR_INVALID_ARGUMENT,
+                       words);
+        EXPECT_TRUE(untouched(out));
+    }
+}
+
 TEST_F(BadField, Light) {
     using C = Case<rt_light_desc>;
     const C cases[] = {

@@ -8,6 +8,7 @@ class BadHandle : public BadInput {};
 // Calls everything that takes a scene with one that is none; arguments are otherwise fine.
 void expect_all_refuse(rt_scene scene, const World& world, const std::string& words) {
     const rt_texture_desc texture = rt_default_texture_desc();
+    const rt_program_desc program = rt_default_program_desc();
     const rt_material_desc material = rt_default_material_desc();
     const rt_mesh_desc mesh = rt_default_mesh_desc();
     const rt_mesh_update update = rt_default_mesh_update();
@@ -19,12 +20,15 @@ void expect_all_refuse(rt_scene scene, const World& world, const std::string& wo
     const rt_frame_desc frame = rt_default_frame_desc();
     rt_scene_stats stats = rt_default_scene_stats();
     auto out_texture = kUntouched<rt_texture>;
+    auto out_program = kUntouched<rt_program>;
     auto out_material = kUntouched<rt_material>;
     auto out_mesh = kUntouched<rt_mesh>;
     auto out_light = kUntouched<rt_light>;
     const rt_result results[] = {
         rt_add_texture(scene, &texture, &out_texture),
         rt_remove_texture(scene, world.texture),
+        rt_add_program(scene, &program, &out_program),
+        rt_remove_program(scene, {1, 1}),
         rt_add_material(scene, &material, &out_material),
         rt_update_material(scene, world.material, &material),
         rt_remove_material(scene, world.material),
@@ -47,7 +51,7 @@ void expect_all_refuse(rt_scene scene, const World& world, const std::string& wo
     for (const rt_result result : results) EXPECT_EQ(result, RT_ERROR_INVALID_HANDLE);
     EXPECT_NE(std::string(rt_get_last_error()).find(words), std::string::npos);
     EXPECT_TRUE(untouched(out_texture) && untouched(out_material) && untouched(out_mesh)
-                && untouched(out_light));
+                && untouched(out_light) && untouched(out_program));
 }
 
 TEST_F(BadHandle, NullScene) {
@@ -122,6 +126,27 @@ TEST_F(BadHandle, Materials) {
         expect_refused(result, RT_ERROR_INVALID_HANDLE, "rt_material");
 }
 
+TEST_F(BadHandle, Programs) {
+    rt_program_desc desc = rt_default_program_desc();
+    desc.shade = [](void*, const rt_program_batch*) {};
+    rt_program program{};
+    ASSERT_OK(rt_add_program(scene(), &desc, &program));
+    rt_material_desc material = rt_default_material_desc();
+    auto out = kUntouched<rt_material>;
+    for (const rt_result result :
+         with_bad_handles(program, [&](rt_program p) { return rt_remove_program(scene(), p); }))
+        expect_refused(result, RT_ERROR_INVALID_HANDLE, "rt_program");
+    ASSERT_OK(rt_remove_program(scene(), program));
+    for (const rt_program bad : {program, rt_program{77, 1}, rt_program{0, 1}, rt_program{1, 0}}) {
+        material.program = bad;
+        expect_refused(rt_add_material(scene(), &material, &out), RT_ERROR_INVALID_HANDLE,
+                       "rt_material_desc.program is");
+        expect_refused(rt_update_material(scene(), world_->material, &material),
+                       RT_ERROR_INVALID_HANDLE, "rt_material_desc.program is");
+        EXPECT_TRUE(untouched(out));
+    }
+}
+
 TEST_F(BadHandle, Meshes) {
     rt_mesh_update update = rt_default_mesh_update();
     for (const rt_result result :
@@ -163,6 +188,21 @@ TEST(StaleHandle, RemovedTextureIsRefusedByTheCommitAndTheOldSnapshotStays) {
     EXPECT_NE(std::string(rt_get_last_error()).find("texture"), std::string::npos);
     EXPECT_EQ(answers(world->scene), before);
     ASSERT_OK(rt_remove_material(world->scene, world->fence));
+    EXPECT_OK(rt_commit_scene(world->scene, nullptr, nullptr));
+}
+
+TEST(StaleHandle, ProgramsThatMaterialsHaveAreNotRemoved) {
+    WorldGuard world;
+    rt_program_desc desc = rt_default_program_desc();
+    desc.shade = [](void*, const rt_program_batch*) {};
+    rt_material_desc material = rt_default_material_desc();
+    ASSERT_OK(rt_add_program(world->scene, &desc, &material.program));
+    ASSERT_OK(rt_update_material(world->scene, world->fence, &material));
+    EXPECT_EQ(rt_remove_program(world->scene, material.program), RT_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(rt_get_last_error()).find("which material {1, "), std::string::npos);
+    EXPECT_OK(rt_commit_scene(world->scene, nullptr, nullptr));
+    ASSERT_OK(rt_remove_material(world->scene, world->fence));
+    EXPECT_OK(rt_remove_program(world->scene, material.program));
     EXPECT_OK(rt_commit_scene(world->scene, nullptr, nullptr));
 }
 

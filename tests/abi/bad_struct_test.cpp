@@ -88,6 +88,17 @@ TEST_F(BadStruct, Material) {
         });
 }
 
+TEST_F(BadStruct, Program) {
+    rt_program_desc desc = rt_default_program_desc();
+    desc.shade = [](void*, const rt_program_batch*) {};
+    check_sizes<rt_program_desc>(desc, "rt_program_desc", [&](const rt_program_desc* d) {
+        auto program = kUntouched<rt_program>;
+        const rt_result result = rt_add_program(scene(), d, &program);
+        EXPECT_NE(untouched(program), result == RT_OK);
+        return result ? result : rt_remove_program(scene(), program);
+    });
+}
+
 TEST_F(BadStruct, Mesh) {
     const float corners[9] = {0, 90, 0, 1, 90, 0, 0, 90, 1};
     rt_mesh_desc desc = rt_default_mesh_desc();

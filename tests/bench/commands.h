@@ -35,7 +35,8 @@ struct Options {
 };
 
 // Each prints a table, and returns its rows as JSON text.
-std::string run_air(const Options& options);
+std::string run_features(const Options& options);
+std::string run_paper(const Options& options);
 std::string run_build(const Options& options);
 std::string run_frame(const Options& options);
 std::string run_prices(const Options& options);
@@ -47,6 +48,7 @@ std::string run_glass(const Options& options);
 std::string run_falloff(const Options& options);
 std::string run_kernels(const Options& options);
 std::string run_lamps(const Options& options);
+std::string run_programs(const Options& options);
 std::string run_queries(const Options& options);
 
 std::vector<std::string> query_item_names();

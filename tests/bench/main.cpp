@@ -177,14 +177,19 @@ int run(int argc, char** argv) {
     CLI::App* falloff = app.add_subcommand("falloff", "fall-offs of lamps: error and time");
     CLI::App* lamps = app.add_subcommand("lamps", "few and many lamps over a level");
     CLI::App* glass = app.add_subcommand("glass", "mirrors and glass, by the depth of paths");
-    CLI::App* air = app.add_subcommand("air", "what bloom, fog and particles add to a frame");
+    CLI::App* features =
+        app.add_subcommand("features", "what each feature of a picture adds to a frame");
+    CLI::App* paper = app.add_subcommand("paper", "the two tables of the paper, with our scenes");
+    CLI::App* programs =
+        app.add_subcommand("programs", "shading programs of the host, beside the library's own");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
-    for (CLI::App* command : {falloff, kernels, glass}) add_output_options(*command, options);
+    for (CLI::App* command : {falloff, kernels, glass, programs})
+        add_output_options(*command, options);
     for (CLI::App* command :
-         {build, frame, prices, door, trace, moving, queries, grenade, lamps, air})
+         {build, frame, prices, door, trace, moving, queries, grenade, lamps, features, paper})
         add_options(*command, options);
-    for (CLI::App* command :
-         {build, frame, prices, door, trace, moving, grenade, lamps, glass, air})
+    for (CLI::App* command : {build, frame, prices, door, trace, moving, grenade, lamps, glass,
+                              features, paper, programs})
         add_threads_option(*command, options);
     add_trace_options(*trace, options);
     add_query_options(*queries, options);
@@ -198,36 +203,46 @@ int run(int argc, char** argv) {
                      "SAH cost of a split that cuts off empty space: times 1 - this")
         ->check(CLI::Range(0.0, 1.0));
     add_frame_options(*frame, options);
-    for (CLI::App* command : {frame, lamps, air}) add_size_option(*command, options);
+    for (CLI::App* command : {frame, lamps, features, paper, programs})
+        add_size_option(*command, options);
     lamps
         ->add_option("--least-light", options.least_light,
                      "Lamps that give a place less are left out: steps of the display")
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1000.0));
+    features
+        ->add_option("--peer", options.peers,
+                     "Peers, of which the fastest mode for primary rays is the unit: embree, "
+                     "embree-avx2")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"embree", "embree-avx2"}));
+    for (CLI::App* command : {features, paper}) add_isa_option(*command, options);
     add_prices_options(*prices, options);
     add_size_option(*glass, options);
-    for (CLI::App* command : {glass, air})
+    for (CLI::App* command : {glass, features})
         command->add_option("--pictures", options.pictures, "Write a picture each to this folder");
-    for (CLI::App* command :
-         {frame, prices, door, trace, moving, queries, grenade, falloff, lamps, glass, air})
+    for (CLI::App* command : {frame, prices, door, trace, moving, queries, grenade, falloff, lamps,
+                              glass, features, paper, programs})
         command->add_option("--library", options.library,
                             "The engine; default: libperegrine.so beside this program");
     CLI11_PARSE(app, argc, argv);
 
     if (options.scenes.empty()) options.scenes = peregrine::test::scene_files();
-    const std::string rows = *build     ? peregrine::bench::run_build(options)
-                             : *frame   ? peregrine::bench::run_frame(options)
-                             : *prices  ? peregrine::bench::run_prices(options)
-                             : *trace   ? peregrine::bench::run_trace(options)
-                             : *moving  ? peregrine::bench::run_moving(options)
-                             : *grenade ? peregrine::bench::run_grenade(options)
-                             : *falloff ? peregrine::bench::run_falloff(options)
-                             : *kernels ? peregrine::bench::run_kernels(options)
-                             : *air     ? peregrine::bench::run_air(options)
-                             : *glass   ? peregrine::bench::run_glass(options)
-                             : *lamps   ? peregrine::bench::run_lamps(options)
-                             : *queries ? peregrine::bench::run_queries(options)
-                                        : peregrine::bench::run_door(options);
+    const std::string rows = *build      ? peregrine::bench::run_build(options)
+                             : *frame    ? peregrine::bench::run_frame(options)
+                             : *prices   ? peregrine::bench::run_prices(options)
+                             : *trace    ? peregrine::bench::run_trace(options)
+                             : *moving   ? peregrine::bench::run_moving(options)
+                             : *grenade  ? peregrine::bench::run_grenade(options)
+                             : *falloff  ? peregrine::bench::run_falloff(options)
+                             : *kernels  ? peregrine::bench::run_kernels(options)
+                             : *features ? peregrine::bench::run_features(options)
+                             : *paper    ? peregrine::bench::run_paper(options)
+                             : *programs ? peregrine::bench::run_programs(options)
+                             : *glass    ? peregrine::bench::run_glass(options)
+                             : *lamps    ? peregrine::bench::run_lamps(options)
+                             : *queries  ? peregrine::bench::run_queries(options)
+                                         : peregrine::bench::run_door(options);
     if (!options.json.empty()) write_json(options, rows);
     return 0;
 }

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace {
@@ -78,7 +79,7 @@ public:
     Fuzzer& operator=(const Fuzzer&) = delete;
 
     void step() {
-        switch (random_.below(21)) {
+        switch (random_.below(23)) {
         case 0:
             return add_texture();
         case 1:
@@ -112,6 +113,10 @@ public:
             return move_mesh();
         case 16:
             return add_instance();
+        case 17:
+            return add_program();
+        case 18:
+            return remove(programs_, rt_remove_program);
         default:
             return query();
         }
@@ -194,8 +199,56 @@ private:
             use->texcoord_set = random_.below(2);
             for (float& value : use->transform) value = random_.number();
         }
+        if (random_.one_in(3)) {
+            desc.program = random_.pick(programs_);
+            if (!random_.one_in(9)) desc.reflectivity = desc.transmission = 0;
+        }
         spoil(desc, 4);
         return desc;
+    }
+
+    // Reads all that it asked for, and says anything that it can: bits of what it was given.
+    static void shade(void* user, const rt_program_batch* b) {
+        const uint32_t fields = *static_cast<const uint32_t*>(user);
+        const float* const floats[] = {
+            b->position[0], b->geometric_normal[1], b->shading_normal[2], b->direction[0],
+            b->distance,    b->footprint,           b->texcoord[0],       b->barycentric[1]};
+        const float* const light[] = {b->base_color[0], b->emissive[1], b->diffuse[2],
+                                      b->highlight[0], b->openness};
+        const bool has_rays = (fields & RT_PROGRAM_RAYS) != 0;
+        require(b->count > 0 && b->padded_count % 16 == 0, "an odd batch");
+        require(has_rays == (b->ray_weight[0] != nullptr), "rays that were not asked for");
+        for (uint32_t i = 0; i < b->padded_count; ++i) {
+            float sum = 0;
+            for (uint32_t k = 0; k < std::size(floats); ++k)
+                if (fields >> k & 1) sum += floats[k][i];
+            for (uint32_t k = 0; k < std::size(light); ++k)
+                if (fields >> (11 + k) & 1) sum += light[k][i];
+            if (fields & RT_PROGRAM_IDS) sum += float(b->triangle[i] + b->mesh[i].index);
+            if (fields & RT_PROGRAM_BACK_FACE) sum -= float(b->back_face[i]);
+            if (fields & RT_PROGRAM_USER_DATA)
+                sum += float(b->mesh_user_data[i] ^ b->material_user_data[i]);
+            for (int k = 0; k < 3; ++k) {
+                b->radiance[k][i] = sum;
+                if (!has_rays) continue;
+                b->ray_direction[k][i] = k == 1 ? sum : sum - 1;
+                b->ray_weight[k][i] = sum * 0.5f;
+            }
+        }
+    }
+
+    void add_program() {
+        if (programs_.size() > 12) return;
+        rt_program_desc desc = rt_default_program_desc();
+        desc.fields = uint32_t(random_.bits()) & (2 * RT_PROGRAM_RAYS - 1);
+        fields_.push_back(std::make_unique<uint32_t>());
+        desc.user = fields_.back().get();
+        desc.shade = random_.one_in(20) ? nullptr : shade;
+        if (random_.one_in(20)) desc.fields = uint32_t(random_.bits());
+        spoil(desc, 4, 8);
+        *fields_.back() = desc.fields;
+        rt_program program;
+        if (check(rt_add_program(scene_, &desc, &program)) == RT_OK) programs_.push_back(program);
     }
 
     void add_material() {
@@ -495,6 +548,8 @@ private:
     rt_scene scene_{};
     std::vector<rt_texture> textures_;
     std::vector<rt_material> materials_;
+    std::vector<rt_program> programs_;
+    std::vector<std::unique_ptr<uint32_t>> fields_; // of all programs: they outlive snapshots
     std::vector<rt_mesh> meshes_;
     std::vector<Moving> moving_;
     std::vector<rt_light> lights_;

@@ -88,6 +88,7 @@ protected:
     Stage stage;
     Level level;
     Player player;
+    LevelEffects effects{stage, level, player.uploaded().lights};
     three_cores::Plan plan;
     gameplay::TickInput ahead;
 };
@@ -158,7 +159,7 @@ TEST_F(GameRound, PartsGoBackToWhereTheyRest) {
 }
 
 TEST_F(GameRound, RunsOnAThreadOfItsOwnWhileFramesRender) {
-    game::Actors actors(stage, game::find_props(stage, props_level()));
+    game::Actors actors(stage, game::find_props(stage, props_level()), effects);
     const gameplay::Replay record = win();
     game::LiveRound live(stage, plan, shown(record), actors);
     Viewpoint view;
@@ -185,7 +186,7 @@ TEST_F(GameRound, RunsOnAThreadOfItsOwnWhileFramesRender) {
 
 // Five frames a second: as many ticks as the clock says.
 TEST_F(GameRound, SlowFramesKeepTheTime) {
-    game::Actors actors(stage, game::find_props(stage, props_level()));
+    game::Actors actors(stage, game::find_props(stage, props_level()), effects);
     RoundSetup setup;
     game::LiveRound live(stage, plan, setup, actors);
     for (int i = 0; i < 20; ++i) {
@@ -198,7 +199,7 @@ TEST_F(GameRound, SlowFramesKeepTheTime) {
 // What is only to be seen is in no query of the rules.
 TEST_F(GameRound, ActorsAreSeenButNotMet) {
     Round round(stage, plan, {});
-    game::Actors actors(stage, game::find_props(stage, props_level()));
+    game::Actors actors(stage, game::find_props(stage, props_level()), effects);
     actors.show(round.game());
     round.tick({});
     const gameplay::World world(stage.api(), stage.scene());

@@ -58,7 +58,9 @@ TEST_F(OptionsTest, ReadsValues) {
     EXPECT_EQ(parse({"--fog-lamps", "0.5"}).options->fog_lamps, 0.5f);
     const auto fog = parse({"--fog", "0.25,3"}).options->fog;
     EXPECT_TRUE(fog && fog->density == 0.25f && fog->top == 3.0f);
+    EXPECT_EQ(parse({"--edges", "4"}).options->edge_samples, 4u);
     EXPECT_EQ(parse({"--embers", "70"}).options->embers, 70u);
+    EXPECT_EQ(parse({"--effects", "rich"}).options->effects, Effects::rich);
 }
 
 TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
@@ -74,6 +76,8 @@ TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
              {"--fog", "0.1,-2"},
              {"--fog", "nan,2"},
              {"--embers", "-1"},
+             {"--effects", "most"},
+             {"--edges", "17"},
              {"--size", "0x64"},
              {"--size", "-1x64"},
              {"--size", "64x99999"},

@@ -9,6 +9,7 @@ file, or without valgrind, there is nothing to compare (exit status 77).
 """
 
 import argparse
+import collections
 import json
 import os
 import pathlib
@@ -27,8 +28,9 @@ def skip(reason):
 
 
 def read_dump(path, library):
-    """A dump of callgrind: its name, and the instructions inside the library."""
-    name, inside, called, total, objects = None, False, False, 0, {}
+    """A dump of callgrind: its name, and the instructions of each function inside the library."""
+    name, inside, called, function = None, False, False, ""
+    functions, objects, names = collections.Counter(), {}, {}
     for line in path.read_text().splitlines():
         if match := re.match(r"desc: Trigger: Client Request: (.*)", line):
             name = match[1]
@@ -38,19 +40,25 @@ def read_dump(path, library):
             inside = objects[match[1]] == library
         elif match := re.match(r"cob=\((\d+)\) (.*)", line):
             objects[match[1]] = match[2]
+        elif match := re.match(r"c?fn=\((\d+)\)(?: (.*))?", line):
+            if match[2]:
+                names[match[1]] = match[2]
+            if line.startswith("fn="):
+                function = names[match[1]]
         elif line.startswith("calls="):
             called = True  # the next line is what the call took
         elif re.match(r"[0-9+*-]", line):
             if inside and not called:
-                total += int(line.split()[-1])
+                functions[function] += int(line.split()[-1])
             called = False
-    return name, total
+    return name, functions
 
 
-def count(program, scene, library):
+def dumps_of(command, library):
+    """What a program has counted, in the order of names."""
     with tempfile.TemporaryDirectory() as folder:
         command = ["valgrind", "--tool=callgrind", "--instr-atstart=no",
-                   f"--callgrind-out-file={folder}/out", str(program), str(scene)]
+                   f"--callgrind-out-file={folder}/out", *map(str, command)]
         run = subprocess.run(command, capture_output=True, text=True,
                              env={**os.environ, "LD_BIND_NOW": "1"})
         if "RT_ERROR_UNSUPPORTED" in run.stderr:
@@ -58,7 +66,12 @@ def count(program, scene, library):
         if run.returncode:
             sys.exit(f"{' '.join(command)}\nexit status {run.returncode}\n{run.stderr}")
         dumps = [read_dump(path, str(library)) for path in pathlib.Path(folder).glob("out.*")]
-        return {name: total for name, total in sorted(dumps, key=lambda dump: dump[0] or "") if name}
+        return sorted((dump for dump in dumps if dump[0]), key=lambda dump: dump[0])
+
+
+def skip_without_valgrind():
+    if not shutil.which("valgrind"):
+        skip("there is no valgrind")
 
 
 def compare(counts, expected, tolerance):
@@ -86,11 +99,11 @@ def main():
     parser.add_argument("--renew", action="store_true", help="write the file instead")
     arguments = parser.parse_args()
     stored = json.loads(arguments.counts.read_text())
-    if not shutil.which("valgrind"):
-        skip("there is no valgrind")
+    skip_without_valgrind()
     if arguments.build != stored["build"] and not arguments.renew:
         skip(f"the numbers are of {stored['build']}, this is {arguments.build}")
-    counts = count(arguments.program, arguments.scene, arguments.library.resolve())
+    dumps = dumps_of([arguments.program, arguments.scene], arguments.library.resolve())
+    counts = {name: sum(functions.values()) for name, functions in dumps}
     if not counts or not all(counts.values()):
         sys.exit(f"nothing was counted in {arguments.library}: {counts}")
     worse, other = compare(counts, stored["instructions"], stored["tolerance"])

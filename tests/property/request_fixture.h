@@ -126,7 +126,7 @@ protected:
         const Build& build = std::get<0>(GetParam());
         world.commit(build.structure, accel::bvh::Quality::balanced, build.compact);
         pin_.emplace(world.scene.snapshots);
-        const size_t rays = std::max<size_t>(25, rays_per_set(25)); // of each of eleven sets
+        const size_t rays = std::max<size_t>(25, rays_per_set(25)); // of each of twelve sets
         for (const RaySet& set : make_ray_sets(world.triangles(), {}, {}, rays, 5))
             for (const Ray& ray : set.rays)
                 if (query::is_valid(ray)) rays_.push_back(ray);

@@ -1,5 +1,6 @@
 #include "support/ray_sets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -149,6 +150,56 @@ public:
         return ray;
     }
 
+    // Rays of one direction, as those to a sun: from a patch of a plane, from triangles, their
+    // corners and edges, or straight at these. The direction may be an axis, an edge, or lie in a
+    // triangle's plane.
+    Ray parallel() {
+        const float size = largest(bounds_.upper - bounds_.lower);
+        if (fan_left_ == 0) {
+            fan_left_ = 32 * (1 + pick(16));
+            fan_origin_ = coin() ? on_triangle() : inside();
+            const geometry::Triangle& triangle = triangles_[pick(triangles_.size())];
+            const Vec3 a = triangle.v1 - triangle.v0, b = triangle.v2 - triangle.v0;
+            const size_t kind = pick(8);
+            fan_direction_ = kind == 0   ? Vec3(coin() ? 1 : -1, int(pick(3)) - 1, int(pick(3)) - 1)
+                             : kind == 1 ? Vec3(0, coin() ? 1 : -1, coin() ? 0.0f : -0.0f)
+                             : kind == 2 ? a
+                             : kind == 3 ? uniform() * a - uniform() * b
+                                         : direction();
+            if (coin()) fan_direction_ *= std::exp2(float(int(pick(20)) - 10));
+            if (fan_direction_ == Vec3(0)) fan_direction_.z = 1;
+            fan_target_ = size * std::exp2(-float(pick(14))) * direction();
+            fan_end_ = pick(3) == 0 ? uniform() * size / largest(fan_direction_) : kInfinity;
+        }
+        --fan_left_;
+        const Vec3 across = glm::cross(fan_direction_ / largest(fan_direction_), fan_target_);
+        const float x = uniform() - 0.5f, y = uniform() - 0.5f;
+        Ray ray{fan_origin_ + x * fan_target_ + y * across, 0, fan_direction_, fan_end_};
+        switch (pick(24)) {
+        case 0:
+            ray.origin = vertex();
+            break;
+        case 1:
+            ray.origin = vertex() - ray.direction;
+            break;
+        case 2:
+            ray.origin = on_triangle();
+            break;
+        case 3:
+            ray.t_min = 0.01f * uniform();
+            break;
+        case 4:
+            ray.t_min = -uniform();
+            break;
+        case 5:
+            ray.t_max = uniform();
+            break;
+        default:
+            break;
+        }
+        return ray;
+    }
+
     // A picture's rays, 16 x 16 pixels at a time.
     Ray picture() {
         if (fan_left_ == 0) {
@@ -174,6 +225,10 @@ private:
         Ray ray{origin, 0, target - origin, kInfinity};
         if (ray.direction == Vec3(0)) ray.direction.y = 1;
         return ray;
+    }
+
+    static float largest(const Vec3& v) {
+        return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     }
 
     float uniform() { return std::uniform_real_distribution<float>(0, 1)(random_); }
@@ -232,6 +287,7 @@ std::vector<RaySet> make_ray_sets(std::span<const geometry::Triangle> triangles,
         {"extreme", &Generator::extreme},
         {"fan", &Generator::fan},
         {"sheaf", &Generator::sheaf},
+        {"parallel", &Generator::parallel},
         {"picture", &Generator::picture},
     };
     Generator generator(triangles, eyes, lights, seed);

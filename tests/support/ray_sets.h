@@ -23,7 +23,7 @@ struct RaySet {
 };
 
 // Rays as games and adversaries cast them, the same for the same seed: camera, shadow, random,
-// axis-parallel, through vertices, along edges, through edges, extreme, fans, sheaves, pictures.
+// axis-parallel, through vertices, along edges, through edges, extreme, fans, sheaves, parallel, pictures.
 // Shadow rays start at random points of triangles.
 std::vector<RaySet> make_ray_sets(std::span<const geometry::Triangle> triangles,
                                   std::span<const Eye> eyes, std::span<const math::Vec3> lights,

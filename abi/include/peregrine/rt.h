@@ -103,6 +103,9 @@ typedef struct rt_texture {
 typedef struct rt_light {
     uint32_t index, generation;
 } rt_light;
+typedef struct rt_program {
+    uint32_t index, generation;
+} rt_program;
 typedef struct rt_snapshot {
     uint32_t index, generation;
 } rt_snapshot;
@@ -229,6 +232,107 @@ RT_EXPORT rt_result rt_add_texture(rt_scene scene, const rt_texture_desc* desc,
  * refused by the next commit with a sentence. */
 RT_EXPORT rt_result rt_remove_texture(rt_scene scene, rt_texture texture) RT_NOEXCEPT;
 
+/* ------------------------------------------------------------------------- programs of the host */
+
+/* What a program wants to know of a hit, and RT_PROGRAM_RAYS, if it may ask for rays. What it does
+ * not ask for is not computed: a program without RT_PROGRAM_DIFFUSE and RT_PROGRAM_HIGHLIGHT has no
+ * shadow rays traced for it, unless light is found in blocks. */
+enum {
+    RT_PROGRAM_POSITION = 1u << 0,
+    RT_PROGRAM_GEOMETRIC_NORMAL = 1u << 1,
+    RT_PROGRAM_SHADING_NORMAL = 1u << 2,
+    RT_PROGRAM_DIRECTION = 1u << 3,
+    RT_PROGRAM_DISTANCE = 1u << 4,
+    RT_PROGRAM_FOOTPRINT = 1u << 5,
+    RT_PROGRAM_TEXCOORD = 1u << 6,
+    RT_PROGRAM_BARYCENTRICS = 1u << 7,
+    RT_PROGRAM_IDS = 1u << 8,
+    RT_PROGRAM_BACK_FACE = 1u << 9,
+    RT_PROGRAM_USER_DATA = 1u << 10,
+    RT_PROGRAM_BASE_COLOR = 1u << 11,
+    RT_PROGRAM_EMISSIVE = 1u << 12,
+    RT_PROGRAM_DIFFUSE = 1u << 13,
+    RT_PROGRAM_HIGHLIGHT = 1u << 14,
+    RT_PROGRAM_OPENNESS = 1u << 15,
+    RT_PROGRAM_RAYS = 1u << 16
+};
+
+/* Hits of one program, as separate arrays with an element for each; null where the program did not
+ * ask for the field. Arrays begin at multiples of 64 bytes and have padded_count elements, those
+ * beyond `count` like the last one: a program may compute all of them, in vectors of up to 16. What
+ * it says of those counts for nothing. The arrays are the library's, and the program's to use until
+ * it returns. */
+typedef struct rt_program_batch {
+    uint32_t struct_size;  /* of the library's header */
+    uint32_t count;        /* of hits, >= 1 */
+    uint32_t padded_count; /* `count` rounded up to a multiple of 16 */
+    uint32_t reserved;
+    const float* position[3]; /* metres from the world's origin (rt_set_world_origin); where rays
+                                 begin, a rounding error above the surface */
+    const float* geometric_normal[3]; /* unit; to the side that is seen */
+    const float* shading_normal[3];   /* unit; interpolated, with the normal map */
+    const float* direction[3];        /* unit; the way of the ray that sees the hit */
+    const float* distance;            /* metres from the eye, along all bounces */
+    const float* footprint;   /* metres that a pixel covers across that way; finer patterns glitter.
+                                 0 with RT_TEXTURE_FINEST */
+    const float* texcoord[2]; /* of the first set, without any transform */
+    const float* barycentric[2];    /* u and v, as in rt_hit */
+    const uint32_t* triangle;       /* as in rt_hit; of RT_PROGRAM_IDS, with ... */
+    const rt_mesh* mesh;            /* ... this */
+    const uint32_t* back_face;      /* 0 or 1 */
+    const uint64_t* mesh_user_data; /* of RT_PROGRAM_USER_DATA, with ... */
+    const uint64_t* material_user_data;
+    const float* base_color[3]; /* of the material, times its texture */
+    const float* emissive[3];
+    /* The light that arrives. A material without a program, mirror and glass shows the radiance
+     * base_color * diffuse + highlight + emissive, to the bit. */
+    const float* diffuse[3];   /* radiance of a white matt surface: lamps, and the ambient light */
+    const float* highlight[3]; /* radiance that `specular` and `shininess` make of lamps */
+    const float* openness;     /* the part of the ambient light that arrives, which `diffuse` has; 1
+                                  without ambient occlusion */
+    /* What the program writes; all zeros before it does. */
+    float* radiance[3]; /* linear RGB toward the ray's origin, >= 0 */
+    /* With RT_PROGRAM_RAYS, else null: one ray from each hit, whose radiance times the weight is
+     * added. It begins on the side of the surface that it points to, and may go through. A weight
+     * of 0 is no ray. It is traced together with those of mirrors, within max_depth and
+     * least_importance of the frame; what is not traced brings the ambient light. */
+    float* ray_direction[3]; /* of any length but 0 */
+    float* ray_weight[3];    /* >= 0; 1 is the most that counts */
+} rt_program_batch;
+
+/* A shading program: says what the hits of its materials show. It is called by the threads that
+ * work on a frame, several at a time, with batches that depend on the tiles of the picture. So what
+ * it says of a hit must follow from the fields of that hit alone and from data that stay as they
+ * are during frames. If it computes with +, -, *, / and square roots in float or double, without
+ * contraction, frames have the same bits on every machine. It must not throw, must not call the
+ * library, and must leave the floating-point environment as it is. */
+typedef void (*rt_program_function)(void* user, const rt_program_batch* batch);
+
+typedef struct rt_program_desc {
+    uint32_t struct_size;
+    uint32_t fields; /* RT_PROGRAM_* */
+    rt_program_function shade;
+    void* user; /* handed to it */
+} rt_program_desc;
+
+static inline rt_program_desc rt_default_program_desc(void) {
+    rt_program_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    return desc;
+}
+
+/* Adds a program, for rt_material_desc.program. Its code and what `user` points to must last as
+ * long as snapshots whose materials have it: until no frame of one runs, none is held, and a later
+ * commit has been made or the scene is destroyed. Errors: INVALID_ARGUMENT (null, unknown bits of
+ * `fields`), INVALID_HANDLE, INVALID_STRUCT, OUT_OF_MEMORY. */
+RT_EXPORT rt_result rt_add_program(rt_scene scene, const rt_program_desc* desc,
+                                   rt_program* out_program) RT_NOEXCEPT;
+
+/* The handle is stale at once; snapshots that use the program keep it. Errors: INVALID_HANDLE,
+ * INVALID_ARGUMENT (a material that is not removed has it). */
+RT_EXPORT rt_result rt_remove_program(rt_scene scene, rt_program program) RT_NOEXCEPT;
+
 /* ---------------------------------------------------------------------------------- materials */
 
 typedef int32_t rt_alpha_mode;
@@ -276,7 +380,10 @@ typedef struct rt_material_desc {
     float attenuation_distance; /* ... so many metres within; >= 0; 0: all of it */
     uint32_t thin; /* 0: what transmits is the hull of a solid, which bends light, and both sides of
                       the hull are seen. 1: a sheet, a window pane: light goes straight on */
-    uint32_t reserved; /* 0 */
+    uint32_t reserved;  /* 0 */
+    rt_program program; /* null: none. Else what the surface shows is what the program says, and
+                           reflectivity and transmission must be 0: it asks for rays itself. Masks
+                           cut out, and RT_ALPHA_BLEND scales all that it says by alpha */
 } rt_material_desc;
 
 static inline rt_texture_use rt_default_texture_use(void) {
@@ -665,7 +772,9 @@ enum {
     RT_FEATURE_BLENDING = 1u << 11,
     RT_FEATURE_SKY = 1u << 12,
     RT_FEATURE_FOG = 1u << 13,
-    RT_FEATURE_AIRLIGHT = 1u << 14 /* light that fog scatters: rt_light_desc.fog_scatter */
+    RT_FEATURE_PROGRAMS = 1u << 14,
+    RT_FEATURE_PROGRAM_RAYS = 1u << 15, /* one of them may ask for rays */
+    RT_FEATURE_AIRLIGHT = 1u << 16      /* light that fog scatters: rt_light_desc.fog_scatter */
 };
 
 typedef struct rt_commit_report {
@@ -1370,6 +1479,9 @@ typedef struct rt_frame_stats {
     uint64_t rays_occlusion; /* for ambient occlusion; not in rays_shadow */
     uint64_t occlusion_points; /* of pixels: where it was found, not interpolated */
     uint64_t rays_particle;    /* to particles that are within the picture */
+    uint64_t program_hits;     /* that programs of the host shaded, of pixels, edges and paths */
+    uint64_t program_faults;   /* of these: with a radiance or weight that is negative or not
+                                  finite, which counted as 0, or a ray without a direction */
     double mean_luminance;     /* with measure_luminance, else 0: the geometric mean of the pixels'
                                   radiance (0.2126 R + 0.7152 G + 0.0722 B, each at least 1 / 1024),
                                   before exposure and bloom, within a hundredth */
@@ -1534,6 +1646,8 @@ typedef struct rt_api {
     rt_result (*govern_frame)(rt_governor* governor, rt_frame_desc* frame,
                               const rt_frame_stats* last);
     rt_result (*set_fog)(rt_scene scene, const rt_fog* fog);
+    rt_result (*add_program)(rt_scene scene, const rt_program_desc* desc, rt_program* out_program);
+    rt_result (*remove_program)(rt_scene scene, rt_program program);
     rt_result (*adapt_exposure)(rt_exposure* exposure, float mean_luminance, float seconds);
 } rt_api;
 

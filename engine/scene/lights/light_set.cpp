@@ -57,7 +57,7 @@ bool LightSet::is_of(const base::Vector<Light>& others, const LightViews& other_
                      const math::Box& bounds) const {
     if (lights != others || views != other_views) return false;
     for (size_t i = 0; i < lights.size(); ++i)
-        if (is_within(lights[i], bounds) != prepared[i].from_light) return false;
+        if (is_near(lights[i], bounds) != prepared[i].from_light) return false;
     return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/lift.h"
 #include "math/box.h"
 #include "scene/light.h"
 #include "scene/lights/falloff.h"
@@ -73,13 +74,15 @@ inline float inverse_nearest(const math::Vec3& intensity) {
     return std::sqrt(kBrightest / strongest);
 }
 
-// Shadow rays run from the light if all of it is within the bounds of the scene: the lift of
-// surfaces covers the errors of rays from there (shade/surface/space.h).
-inline bool is_within(const Light& light, const math::Box& bounds) {
+// Shadow rays run from the light if no point of the scene is farther from any of it, along an axis,
+// than the scene's largest side: then they are no longer than those of a light within its bounds,
+// whose errors the lift of surfaces covers (shade/surface/space.h).
+inline bool is_near(const Light& light, const math::Box& bounds) {
+    if (light.type == LightType::directional) return false;
     const math::Vec3 position(light.position);
-    const math::Vec3 radius(light.source_radius);
-    return light.type != LightType::directional
-           && glm::clamp(position, bounds.lower + radius, bounds.upper - radius) == position;
+    const math::Vec3 most = glm::max(position - bounds.lower, bounds.upper - position);
+    return std::max({most.x, most.y, most.z}) + light.source_radius
+           <= geometry::largest_side(bounds);
 }
 
 inline PreparedLight prepare(const Light& light, const math::Box& bounds) {
@@ -89,7 +92,7 @@ inline PreparedLight prepare(const Light& light, const math::Box& bounds) {
     return {light.type,
             cheapest_falloff(light),
             light.casts_shadow,
-            is_within(light, bounds),
+            is_near(light, bounds),
             math::Vec3(light.position),
             light.direction,
             color,

@@ -3,6 +3,7 @@
 #include "shade/path/media.h"
 #include "shade/surface/surface.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace peregrine::shade {
@@ -38,10 +39,22 @@ struct alignas(64) SplitRays {
     Branch through;
     bool any; // else nothing of it is set
 
+    void clear() {
+        for (Branch* branch : {&mirrored, &through})
+            std::fill_n(&branch->weight[0][0], 3 * kPadded, 0.0f);
+        any = true;
+    }
+
     // On the way there: of solids, the index that the ray comes from over that which it goes to; of
     // what is translucent, how much it covers.
     Lanes eta;
     Lanes cover;
+};
+
+// Where the rays go that programs of the host ask for.
+struct AskedRays {
+    SplitRays& split;   // of the batch, once mirrors and glass have taken from it
+    const Media* media; // that the rays of the batch arrive in
 };
 
 // One thread's working memory for paths.

@@ -38,8 +38,9 @@ void Paths::begin(PathRays* chunks, PathMemory& memory) const {
 
 void Paths::split(const RayHits& hits, const Media* media, PathMemory& memory,
                   Scratch& scratch) const {
-    shader_->kernels().split_paths(*snapshot_, shader_->features(), shader_->space(), hits, media,
-                                   scratch.surface, memory.split);
+    shader_->kernels().split_paths[shader_->has_programs()](*snapshot_, shader_->features(),
+                                                            shader_->space(), hits, media,
+                                                            scratch.surface, memory.split);
 }
 
 void Paths::split(const RayHits& hits, PathMemory& memory, Scratch& scratch) const {
@@ -205,7 +206,8 @@ void Paths::shade(const Batch& batch, float* const colors[3], PathMemory& memory
     split(batch.hits, batch.media, memory, scratch);
     shader_->gather_light(batch.hits, scratch, nullptr);
     float* const radiance[3] = {memory.radiance[0], memory.radiance[1], memory.radiance[2]};
-    shader_->find_radiance(batch.hits, radiance, scratch);
+    const AskedRays asked{memory.split, batch.media};
+    shader_->find_radiance(batch.hits, radiance, scratch, &asked);
     if (shader_->has_sky()) shader_->paint_sky(batch.hits, radiance);
     if (fog_) hide_in_fog(batch, radiance, memory, scratch);
     for (uint32_t i = 0; i < batch.hits.count; ++i)

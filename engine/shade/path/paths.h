@@ -33,6 +33,8 @@ public:
 
     // Of a batch of rays from the eye: to be called when scratch.surface is known, ...
     void split(const RayHits& hits, PathMemory& memory, Scratch& scratch) const;
+    // ... where programs ask for rays beside that, ...
+    AskedRays asked_rays(PathMemory& memory) const { return {memory.split, memory.eye_media}; }
     // ... and when the colours are, of which the batch begins at `first`; hits.t is not scaled.
     void keep(const RayHits& hits, float* const colors[3], uint32_t first, PathMemory& memory,
               Scratch& scratch) const;

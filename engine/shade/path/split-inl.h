@@ -142,13 +142,20 @@ HWY_INLINE void find_far_side(const TriangleShading& triangle, const RayHits& hi
     store_some(mask, subtract(place, splat(triangle.lift)), out.through.origin, i);
 }
 
-HWY_INLINE void clear(SplitRays& out) {
-    for (SplitRays::Branch* branch : {&out.mirrored, &out.through})
-        std::fill_n(&branch->weight[0][0], 3 * kPadded, 0.0f);
-    out.any = true;
+// What is behind a translucent surface that a program of the host shades: the rest of it is the
+// program's.
+HWY_INLINE void see_through(const RayHits& hits, uint32_t i, Mf mask, SplitRays& out) {
+    const Vf behind = hn::Sub(splat(1.0f), hn::LoadU(kF, out.cover + i));
+    store_some(mask, {behind, behind, behind}, out.through.weight, i);
+    store_some(mask,
+               {hn::LoadU(kF, hits.direction[0] + i), hn::LoadU(kF, hits.direction[1] + i),
+                hn::LoadU(kF, hits.direction[2] + i)},
+               out.through.direction, i);
 }
 
 // Takes from the surfaces what the rays that go on will bring. `media`: of the rays that arrive.
+// Programmed: some may have a program of the host.
+template <bool Programmed>
 HWY_ATTR void split_paths(const scene::Snapshot& snapshot, uint32_t features,
                           const SurfaceSpace& space, const RayHits& hits, const Media* media,
                           Surface& surface, SplitRays& out) {
@@ -163,7 +170,7 @@ HWY_ATTR void split_paths(const scene::Snapshot& snapshot, uint32_t features,
         const uint32_t number = mesh.materials->of(info.primitive);
         const scene::Material& material = snapshot.material_set->materials[number];
         if (!material.sends_paths_on()) continue;
-        if (!out.any) clear(out);
+        if (!out.any) out.clear();
         const bool back_face = hits.back_face[run.begin] != 0;
         if (material.is_solid()) {
             cross_hull(*snapshot.material_set, number, back_face, run, media, out);
@@ -178,7 +185,10 @@ HWY_ATTR void split_paths(const scene::Snapshot& snapshot, uint32_t features,
         const Split split(material, back_face);
         for (uint32_t i = run.begin; i < run.end; i += kLanes) {
             const Mf mask = hn::FirstN(kF, run.end - i);
-            split.run(features, hits, i, mask, surface, out);
+            if (Programmed && material.program != 0)
+                see_through(hits, i, mask, out);
+            else
+                split.run(features, hits, i, mask, surface, out);
             if (goes_through) find_far_side(triangle, hits, i, mask, out);
         }
     }

@@ -6,7 +6,8 @@
 namespace peregrine::shade {
 
 // What positions of surfaces are relative to, and what the errors of shadow rays grow with. These
-// start at a surface, or at a light within the world's bounds that is not farther than light_reach.
+// start at a surface, or at a light near the world (scene::is_near) that is not farther than
+// light_reach.
 struct SurfaceSpace {
     math::Vec3d origin{0};     // relative to the world's, and ...
     bool is_elsewhere = false; // ... whether it is another

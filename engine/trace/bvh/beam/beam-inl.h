@@ -10,6 +10,7 @@
 
 #include "geometry/intersect.h"
 #include "simd/lanes-inl.h"
+#include "trace/bvh/beam/groups-inl.h"
 #include "trace/kernels.h"
 #include "trace/slabs.h"
 
@@ -21,118 +22,48 @@ namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-inline constexpr uint32_t kGroupRays = 32;
-inline constexpr uint32_t kGroups = 16; // bits of a uint32_t tell which ones
-inline constexpr uint32_t kBeamRays = kGroups * kGroupRays;
-inline constexpr uint32_t kAllRays = uint32_t((uint64_t(1) << kGroupRays) - 1); // of a group
-
 // Up to this slope the edge functions of Facets and of the canonical test agree.
 constexpr float kMaxSlope = 1.125f;
 
-// The limit of rays that want no more hits.
-constexpr float kNever = -std::numeric_limits<float>::infinity();
-
-// Slopes of directions: those of the two lesser axes over that of the main axis.
-struct Window {
-    float p0, p1, q0, q1;
-};
+struct BeamChildren;
+struct BeamFacets;
 
 // Coordinates along the three axes: p and q across the beam, z along it and positive ahead. A ray
-// is the points (p z, q z, z), so z is also what hits are ordered by.
-struct Beam {
+// is the points (p z, q z, z): p and q are slopes, those of the two lesser axes over that of the
+// main axis, less those of the centre.
+struct Beam : RayGroups {
+    using Children = BeamChildren;
+    using SeenFacets = BeamFacets;
+    // How OccludedBeam goes through the tree. Measured.
+    struct Shadows {
+        static constexpr float kTinySide = 0.3f;
+        static constexpr bool kLooksForRays = false;
+        static uint32_t most_tiny(uint32_t rays) { return rays / 3; }
+        static uint32_t most_nodes(uint32_t) { return ~0u; }
+    };
+
     int kx, ky, kz;
-    float sign;       // of the directions along kz
-    float origin[3];  // along kx, ky, kz
-    float margin;     // what boxes are widened by
-    float near;       // z where the first ray begins, ...
-    float last_begin; // ... and the last
+    float sign;      // of the directions along kz
+    float origin[3]; // along kx, ky, kz
+    float margin;    // what boxes are widened by
     float center_p, center_q;
-    uint32_t first, count; // rays of the stream
-    uint32_t groups;       // bits
-    uint32_t endless;      // bits of groups of which no ray has an end or a hit yet
 
-    // sx and sy of geometry::shear for rays whose main axis is kz, and their slopes p and q less
-    // those of the centre.
+    // sx and sy of geometry::shear for rays whose main axis is kz.
     alignas(64) float sx[kBeamRays], sy[kBeamRays];
-    alignas(64) float p[kBeamRays], q[kBeamRays];
-    alignas(64) float limit[kBeamRays]; // z that a hit must not exceed
-    uint32_t foreign[kGroups];          // bits of a group's rays with another main axis
-
-    Window window; // from the centre, as are the groups'
-    alignas(64) float group_p0[kGroups], group_p1[kGroups];
-    alignas(64) float group_q0[kGroups], group_q1[kGroups];
-    alignas(64) float group_limit[kGroups]; // the largest limit of its rays
+    uint32_t foreign[kGroups]; // bits of a group's rays with another main axis
 
     // False if these rays do not make a beam: then nothing may be concluded from it.
     HWY_ATTR bool gather(const Target& target, const RayStream& rays, uint32_t begin, uint32_t n);
 
-    HWY_INLINE HWY_ATTR void update_limit(uint32_t group) {
-        const float* limits = limit + group * kGroupRays;
-        V8 largest = hn::Load(k8, limits);
-        for (size_t i = kLanes8; i < kGroupRays; i += kLanes8)
-            largest = hn::Max(largest, hn::Load(k8, limits + i));
-        group_limit[group] = hn::GetLane(hn::MaxOfLanes(k8, largest));
-        endless &= ~(1u << group);
-    }
-
-    // Groups of `mask` that can still be hit at z or beyond.
-    HWY_INLINE HWY_ATTR uint32_t reaching(uint32_t mask, float z) const {
-        uint32_t bits = 0;
-        for (uint32_t g = 0; g < kGroups; g += kLanes8)
-            bits |= bits_of(k8, hn::Ge(hn::Load(k8, group_limit + g), hn::Set(k8, z))) << g;
-        return bits & mask;
-    }
-
-    // The largest limit of groups in `mask`, and the union of their windows.
-    HWY_INLINE HWY_ATTR float limit_of(uint32_t mask) const {
-        return -least_of(mask, group_limit, true);
-    }
-    HWY_INLINE HWY_ATTR Window window_of(uint32_t mask) const {
-        return {least_of(mask, group_p0, false), -least_of(mask, group_p1, true),
-                least_of(mask, group_q0, false), -least_of(mask, group_q1, true)};
+    // What tells how the plane of a facet, with these coefficients, lies to the ends of rays.
+    static HWY_INLINE HWY_ATTR V8 height(V8 limit, V8 p, V8 q, V8 a, V8 b, V8 c) {
+        return hn::Mul(limit, hn::MulAdd(p, a, hn::MulAdd(q, b, c)));
     }
 
 private:
     template <bool Full>
     HWY_ATTR bool gather_rays(const RayStream& rays);
     HWY_ATTR void center();
-
-    HWY_INLINE HWY_ATTR float least_of(uint32_t mask, const float* values, bool negated) const {
-        const V8 infinity = hn::Set(k8, std::numeric_limits<float>::infinity());
-        V8 least = infinity;
-        for (uint32_t g = 0; g < kGroups; g += kLanes8) {
-            const V8 value = hn::Load(k8, values + g);
-            least = hn::Min(least, hn::IfThenElse(mask_of(mask >> g),
-                                                  negated ? hn::Neg(value) : value, infinity));
-        }
-        return hn::GetLane(hn::MinOfLanes(k8, least));
-    }
-};
-
-// What the rays of a beam or a group have in common. Lanes are different rays until reduce().
-struct Extent {
-    V8 p0, minus_p1, q0, minus_q1;
-
-    HWY_ATTR Extent() {
-        p0 = minus_p1 = q0 = minus_q1 = hn::Set(k8, std::numeric_limits<float>::infinity());
-    }
-    HWY_INLINE HWY_ATTR void add(V8 p, V8 q) {
-        p0 = hn::Min(p0, p);
-        q0 = hn::Min(q0, q);
-        minus_p1 = hn::Min(minus_p1, hn::Neg(p));
-        minus_q1 = hn::Min(minus_q1, hn::Neg(q));
-    }
-    // p0, q0, -p1, -q1.
-    HWY_INLINE HWY_ATTR V4 reduce() const {
-        const V8 pq0 = hn::Min(hn::InterleaveLower(k8, p0, q0), hn::InterleaveUpper(k8, p0, q0));
-        const V8 pq1 = hn::Min(hn::InterleaveLower(k8, minus_p1, minus_q1),
-                               hn::InterleaveUpper(k8, minus_p1, minus_q1));
-        const hn::Repartition<double, D8> pairs;
-        const auto a = hn::BitCast(pairs, pq0), b = hn::BitCast(pairs, pq1);
-        const V8 all = hn::Min(hn::BitCast(k8, hn::InterleaveLower(pairs, a, b)),
-                               hn::BitCast(k8, hn::InterleaveUpper(pairs, a, b)));
-        return least_of_halves(all);
-    }
 };
 
 template <bool Full>
@@ -216,11 +147,7 @@ HWY_ATTR bool Beam::gather_rays(const RayStream& rays) {
 
 // From slopes to slopes less those of the centre.
 inline HWY_ATTR void Beam::center() {
-    for (uint32_t g = uint32_t(__builtin_popcount(groups)); g < kGroups; ++g) {
-        group_p0[g] = group_p1[g] = group_p0[0];
-        group_q0[g] = group_q1[g] = group_q0[0];
-        group_limit[g] = kNever;
-    }
+    fill_groups();
     window = window_of(groups);
     center_p = 0.5f * (window.p0 + window.p1);
     center_q = 0.5f * (window.q0 + window.q1);

@@ -10,8 +10,7 @@
 #include <hwy/highway.h>
 
 #include "simd/lanes-inl.h"
-#include "trace/bvh/beam/beam-inl.h"
-#include "trace/bvh/beam/facet-inl.h"
+#include "trace/bvh/beam/groups-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
@@ -30,7 +29,15 @@ HWY_INLINE HWY_ATTR V8 linear_at(V8 p, V8 q, float a, float b, float c) {
     return hn::MulAdd(p, hn::Set(k8, a), hn::MulAdd(q, hn::Set(k8, b), hn::Set(k8, c)));
 }
 
+template <class Beam>
+HWY_INLINE HWY_ATTR V8 height_at(const Beam&, V8 limit, V8 p, V8 q, const Facets& facets,
+                                 uint32_t lane) {
+    return Beam::height(limit, p, q, hn::Set(k8, facets.plane_a[lane]),
+                        hn::Set(k8, facets.plane_b[lane]), hn::Set(k8, facets.plane_c[lane]));
+}
+
 // What a facet's window and plane tell.
+template <class Beam>
 HWY_INLINE HWY_ATTR Candidates find_by_window(const Beam& beam, const Facets& facets, uint32_t lane,
                                               uint32_t group) {
     Candidates found;
@@ -42,9 +49,8 @@ HWY_INLINE HWY_ATTR Candidates find_by_window(const Beam& beam, const Facets& fa
                                   hn::Le(p, hn::Set(k8, facets.p1[lane])));
         const auto in_q = hn::And(hn::Ge(q, hn::Set(k8, facets.q0[lane])),
                                   hn::Le(q, hn::Set(k8, facets.q1[lane])));
-        const V8 w =
-            linear_at(p, q, facets.plane_a[lane], facets.plane_b[lane], facets.plane_c[lane]);
-        const auto beyond = hn::Lt(hn::Mul(limit, w), hn::Set(k8, facets.least_h[lane]));
+        const V8 h = height_at(beam, limit, p, q, facets, lane);
+        const auto beyond = hn::Lt(h, hn::Set(k8, facets.least_h[lane]));
         const auto open = hn::AndNot(beyond, hn::Ge(limit, hn::Set(k8, facets.nearest[lane])));
         found.open |= bits_of(k8, hn::And(open, hn::And(in_p, in_q))) << i;
     }
@@ -53,7 +59,7 @@ HWY_INLINE HWY_ATTR Candidates find_by_window(const Beam& beam, const Facets& fa
 
 // What its edge functions and plane tell: of all rays without a branch, since whether there are any
 // left is hard to predict.
-template <bool Inside>
+template <bool Inside, class Beam>
 HWY_INLINE HWY_ATTR Candidates find_by_edges(const Beam& beam, const Facets& facets, uint32_t lane,
                                              uint32_t group) {
     const V8 nearest = hn::Set(k8, facets.nearest[lane]);
@@ -65,8 +71,7 @@ HWY_INLINE HWY_ATTR Candidates find_by_edges(const Beam& beam, const Facets& fac
         const uint32_t at = group * kGroupRays + i;
         const V8 p = hn::Load(k8, beam.p + at), q = hn::Load(k8, beam.q + at);
         const V8 limit = hn::Load(k8, beam.limit + at);
-        const V8 h = hn::Mul(limit, linear_at(p, q, facets.plane_a[lane], facets.plane_b[lane],
-                                              facets.plane_c[lane]));
+        const V8 h = height_at(beam, limit, p, q, facets, lane);
         M8 open = hn::AndNot(hn::Lt(h, least_h), hn::Ge(limit, nearest));
         M8 certain = hn::Gt(h, most_h);
         if (!Inside) {
@@ -84,6 +89,7 @@ HWY_INLINE HWY_ATTR Candidates find_by_edges(const Beam& beam, const Facets& fac
     return found;
 }
 
+template <class Beam>
 HWY_INLINE HWY_ATTR Candidates find_candidates(const Beam& beam, const Facets& facets,
                                                uint32_t lane, uint32_t group, bool inside) {
     if (facets.by_window >> lane & 1) return find_by_window(beam, facets, lane, group);
@@ -100,6 +106,7 @@ struct GroupsOfFacet {
 };
 
 // Groups of `mask` whose windows meet the facet's, and of which some end beyond its plane.
+template <class Beam>
 HWY_INLINE HWY_ATTR uint32_t find_meeting(const Beam& beam, const Facets& facets, uint32_t lane,
                                           uint32_t mask) {
     const V8 nearest = hn::Set(k8, facets.nearest[lane]);
@@ -116,9 +123,9 @@ HWY_INLINE HWY_ATTR uint32_t find_meeting(const Beam& beam, const Facets& facets
                                   hn::Ge(q1, hn::Load(k8, beam.group_q0 + g)));
         const V8 limit = hn::Load(k8, beam.group_limit + g);
         // What find_by_edges asks of each ray: here of the corner where it comes closest to yes.
-        const V8 w = linear_at(hn::Load(k8, plane_p + g), hn::Load(k8, plane_q + g),
-                               facets.plane_a[lane], facets.plane_b[lane], facets.plane_c[lane]);
-        const auto beyond = hn::Lt(hn::Mul(limit, w), hn::Set(k8, facets.least_h[lane]));
+        const V8 h = height_at(beam, limit, hn::Load(k8, plane_p + g), hn::Load(k8, plane_q + g),
+                               facets, lane);
+        const auto beyond = hn::Lt(h, hn::Set(k8, facets.least_h[lane]));
         const auto open = hn::AndNot(beyond, hn::Ge(limit, nearest));
         bits |= bits_of(k8, hn::And(open, hn::And(in_p, in_q))) << g;
     }
@@ -126,6 +133,7 @@ HWY_INLINE HWY_ATTR uint32_t find_meeting(const Beam& beam, const Facets& facets
 }
 
 // Groups of `mask`, which find_meeting returned, as far as edge functions tell.
+template <class Beam>
 HWY_INLINE HWY_ATTR GroupsOfFacet find_groups(const Beam& beam, const Facets& facets, uint32_t lane,
                                               uint32_t mask) {
     if (facets.by_window >> lane & 1) return {mask, 0};

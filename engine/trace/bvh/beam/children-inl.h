@@ -29,14 +29,15 @@ struct BeamChildren {
 
     HWY_INLINE HWY_ATTR void find(const Beam& beam, const Node& node, const Window& window,
                                   float limit, float tiny_side);
-    // Slopes through a child that lies ahead as a whole.
-    HWY_INLINE HWY_ATTR Window window_of(uint32_t child) const {
+    // Slopes through a child that lies ahead as a whole, from the beam's centre.
+    HWY_INLINE HWY_ATTR Window window_of(const Beam& beam, uint32_t child) const {
         const float near_inverse = 1 / near[child], far_inverse = 1 / far[child];
         const float slack = 1.0f + 0x1p-21f;
-        return {std::min(x0[child] * near_inverse * slack, x0[child] * far_inverse),
-                std::max(x1[child] * near_inverse * slack, x1[child] * far_inverse),
-                std::min(y0[child] * near_inverse * slack, y0[child] * far_inverse),
-                std::max(y1[child] * near_inverse * slack, y1[child] * far_inverse)};
+        return {std::min(x0[child] * near_inverse * slack, x0[child] * far_inverse) - beam.center_p,
+                std::max(x1[child] * near_inverse * slack, x1[child] * far_inverse) - beam.center_p,
+                std::min(y0[child] * near_inverse * slack, y0[child] * far_inverse) - beam.center_q,
+                std::max(y1[child] * near_inverse * slack, y1[child] * far_inverse)
+                    - beam.center_q};
     }
     // The groups of `mask` whose rays may enter a child.
     HWY_INLINE HWY_ATTR uint32_t find_groups(const Beam& beam, uint32_t child, uint32_t mask) const;

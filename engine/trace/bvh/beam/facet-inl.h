@@ -45,17 +45,8 @@ using accel::bvh::Block;
 // judged by the window that it fills instead: by the theorem of geometry/intersect.h, hits are
 // within 8.1 e D of it. The others' windows cut off what all three edges let through beyond the
 // corners of small or thin triangles.
-struct Facets {
-    // By edge and triangle. Those seen from behind have their signs turned: rays inside are where
-    // all three are positive.
-    alignas(16) float a[3][4], b[3][4], c[3][4];
-    alignas(16) float tolerance[4];
-    alignas(16) float plane_a[4], plane_b[4], plane_c[4];
-    alignas(16) float least_h[4], most_h[4]; // of a hit: the limit's own rounding is counted
-    alignas(16) float nearest[4];            // no hit has a smaller z
+struct BeamFacets : Facets {
     alignas(16) float vertex[3][3][4]; // relative to the origin: vertex, axis (x, y, z), triangle
-    alignas(16) float p0[4], p1[4], q0[4], q1[4]; // windows of those returned
-    uint32_t by_window;                           // bits: of uncertain orientation
 
     // Returns the triangles that rays in `window` may hit up to the z of `limit`.
     HWY_ATTR uint32_t project(const Beam& beam, const Block& block, const Window& window,
@@ -70,8 +61,9 @@ private:
 
 // Slopes from the beam's centre; everything for a triangle that is not ahead of the origin as a
 // whole. Returns those that overlap `window`.
-inline HWY_ATTR uint32_t Facets::find_windows(const V4 (&x)[3], const V4 (&y)[3], const V4 (&z)[3],
-                                              V4 least_z, V4 reach, const Window& window) {
+inline HWY_ATTR uint32_t BeamFacets::find_windows(const V4 (&x)[3], const V4 (&y)[3],
+                                                  const V4 (&z)[3], V4 least_z, V4 reach,
+                                                  const Window& window) {
     const V4 infinity = hn::Set(k4, std::numeric_limits<float>::infinity());
     V4 low_p = infinity, high_p = hn::Neg(infinity), low_q = infinity, high_q = hn::Neg(infinity);
     for (int i = 0; i < 3; ++i) {
@@ -100,8 +92,8 @@ inline HWY_ATTR uint32_t Facets::find_windows(const V4 (&x)[3], const V4 (&y)[3]
 }
 
 // `most`: M; `reach`: D; `spread`: S.
-inline HWY_ATTR void Facets::find_planes(const Beam& beam, const V4 (&x)[3], const V4 (&y)[3],
-                                         const V4 (&z)[3], V4 most, V4 reach, float spread) {
+inline HWY_ATTR void BeamFacets::find_planes(const Beam& beam, const V4 (&x)[3], const V4 (&y)[3],
+                                             const V4 (&z)[3], V4 most, V4 reach, float spread) {
     const V4 x1 = hn::Sub(x[1], x[0]), y1 = hn::Sub(y[1], y[0]), z1 = hn::Sub(z[1], z[0]);
     const V4 x2 = hn::Sub(x[2], x[0]), y2 = hn::Sub(y[2], y[0]), z2 = hn::Sub(z[2], z[0]);
     const V4 nx = hn::NegMulAdd(z1, y2, hn::Mul(y1, z2));
@@ -132,8 +124,8 @@ inline HWY_ATTR void Facets::find_planes(const Beam& beam, const V4 (&x)[3], con
               most_h);
 }
 
-inline HWY_ATTR uint32_t Facets::project(const Beam& beam, const Block& block, const Window& window,
-                                         float limit) {
+inline HWY_ATTR uint32_t BeamFacets::project(const Beam& beam, const Block& block,
+                                             const Window& window, float limit) {
     const V4 sign = hn::Set(k4, beam.sign);
     const V4 cp = hn::Set(k4, beam.center_p), cq = hn::Set(k4, beam.center_q);
     V4 x[3], y[3], z[3];

@@ -10,13 +10,12 @@
 #include <hwy/highway.h>
 
 #include "geometry/intersect.h"
+#include "trace/bvh/beam/children-inl.h"
 #include "trace/bvh/beam/judge-inl.h"
+#include "trace/bvh/beam/occluded-inl.h"
+#include "trace/bvh/beam/tiny_leaf-inl.h"
 #include "trace/bvh/beam/traversal-inl.h"
-#include "trace/bvh/single/plain.h"
 #include "trace/bvh/stream/hit_board-inl.h"
-
-#include <bit>
-#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
@@ -27,9 +26,9 @@ using namespace simd::HWY_NAMESPACE;
 // kernel.end(at), kernel.test_one(block, lane, at) is asked for those whose main axis is another;
 // `at` counts from the beam's first ray. Returns whether the kernel changed a limit.
 template <bool Inside, class Kernel>
-HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, const Facets& facets,
-                                     const Block& block, uint32_t lane, uint32_t group,
-                                     uint32_t candidates, Kernel& kernel) {
+HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays,
+                                     const BeamFacets& facets, const Block& block, uint32_t lane,
+                                     uint32_t group, uint32_t candidates, Kernel& kernel) {
     const Judge facet(facets.vertex, lane);
     uint32_t alone = candidates & beam.foreign[group];
     candidates &= ~alone;
@@ -52,15 +51,6 @@ HWY_INLINE HWY_ATTR bool judge_group(const Beam& beam, const RayStream& rays, co
     return changed;
 }
 
-// The canonical test for one ray, with t up to `end`.
-HWY_INLINE HWY_ATTR bool intersect_one(const RayStream& rays, uint32_t at, float end,
-                                       const Block& block, uint32_t lane,
-                                       geometry::TriangleHit& hit) {
-    math::Ray ray = ray_at(rays, at);
-    ray.t_max = end;
-    return bvh::intersect(geometry::shear(ray), block, lane, hit);
-}
-
 template <bool Filtered>
 class ClosestBeam {
 public:
@@ -68,6 +58,7 @@ public:
     static constexpr float kTinySide = 0.125f;
     // So many groups that meet a facet's window are not asked about its edges as wholes.
     static constexpr uint32_t kFewGroups = 0;
+    static constexpr bool kLooksForRays = false;
 
     HWY_ATTR ClosestBeam(const Target& target, Beam& beam, const RayStream& rays,
                          const Filter& filter, const HitStream& out)
@@ -75,10 +66,11 @@ public:
           board_(rays, out, beam.first, beam.count) {}
 
     static uint32_t most_tiny() { return ~0u; }
+    static uint32_t most_nodes() { return ~0u; }
 
     HWY_ATTR void trace() { board_.finish(visit_beam(target_, beam_, *this)); }
 
-    HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
+    HWY_INLINE HWY_ATTR void judge(const BeamFacets& facets, const Block& block, uint32_t lane,
                                    uint32_t group, const Candidates& rays) {
         const bool changed =
             rays.inside
@@ -118,95 +110,6 @@ private:
     const RayStream& rays_;
     const Filter& filter_;
     HitBoard board_;
-};
-
-// Whether rays that have nothing in common go in waves (wave/wave-inl.h), not one by one.
-constexpr bool kWaves = HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3;
-
-template <bool Filtered>
-class OccludedBeam {
-public:
-    static constexpr float kTinySide = 0.3f; // see ClosestBeam
-    static constexpr uint32_t kFewGroups = 6;
-
-    HWY_ATTR OccludedBeam(const Target& target, Beam& beam, const RayStream& rays,
-                          const Filter& filter)
-        : target_(target), beam_(beam), rays_(rays), filter_(filter) {}
-
-    // Where triangles are smaller than what lies between rays, a wave is faster.
-    uint32_t most_tiny() const { return kWaves ? beam_.count / 3 : ~0u; }
-
-    // False: these rays had better not be a beam, and nothing is known of them.
-    HWY_ATTR bool trace(uint8_t* occluded) {
-        if (visit_beam(target_, beam_, *this) == kGaveUp) return false;
-        report(occluded + beam_.first);
-        return true;
-    }
-
-    HWY_INLINE HWY_ATTR void judge(const Facets& facets, const Block& block, uint32_t lane,
-                                   uint32_t group, const Candidates& rays) {
-        uint32_t certain = rays.certain;
-        if (Filtered && certain && !filter_.accepts_all(target_.infos[block.triangle[lane]]))
-            certain = 0;
-        for (uint32_t i = 0; certain && i < kGroupRays; i += kLanes8)
-            block_lanes(group * kGroupRays + i, mask_of(certain >> i));
-        blocked_[group] |= certain;
-        const uint32_t open = rays.open & ~certain;
-        const bool changed =
-            open && judge_group<false>(beam_, rays_, facets, block, lane, group, open, *this);
-        if (certain || changed) beam_.update_limit(group);
-    }
-
-    HWY_INLINE HWY_ATTR V8 end(uint32_t at) const {
-        return hn::LoadU(k8, rays_.t_max + beam_.first + at);
-    }
-
-    HWY_INLINE HWY_ATTR bool take(uint32_t at, const EightHits& hits, V8, uint32_t index) {
-        M8 hit = hits.lanes;
-        if (Filtered) hit = accepted(hit, filter_, target_.infos[index], hits);
-        if (hn::AllFalse(k8, hit)) return false;
-        block_lanes(at, hit);
-        blocked_[at / kGroupRays] |= bits_of(k8, hit) << at % kGroupRays;
-        return true;
-    }
-
-    HWY_INLINE HWY_ATTR bool test_one(const Block& block, uint32_t lane, uint32_t at) {
-        if (beam_.limit[at] == kNever) return false; // already
-        geometry::TriangleHit hit;
-        if (!intersect_one(rays_, beam_.first + at, rays_.t_max[beam_.first + at], block, lane, hit)
-            || (Filtered
-                && !filter_.accepts(target_.infos[block.triangle[lane]], hit.back_face, hit.u,
-                                    hit.v)))
-            return false;
-        beam_.limit[at] = kNever;
-        blocked_[at / kGroupRays] |= 1u << at % kGroupRays;
-        return true;
-    }
-
-private:
-    HWY_INLINE HWY_ATTR void block_lanes(uint32_t at, M8 lanes) {
-        const V8 limit = hn::Load(k8, beam_.limit + at);
-        hn::Store(hn::IfThenElse(lanes, hn::Set(k8, kNever), limit), k8, beam_.limit + at);
-    }
-
-    // A byte for each bit, the lowest first.
-    static_assert(std::endian::native == std::endian::little);
-    void report(uint8_t* occluded) const {
-        uint32_t i = 0;
-        for (; i + 8 <= beam_.count; i += 8) {
-            const uint64_t bits = blocked_[i / kGroupRays] >> i % kGroupRays & 255;
-            const uint64_t apart = bits * 0x0101010101010101 & 0x8040201008040201;
-            const uint64_t bytes = (apart + 0x7f7f7f7f7f7f7f7f) >> 7 & 0x0101010101010101;
-            std::memcpy(occluded + i, &bytes, 8);
-        }
-        for (; i < beam_.count; ++i) occluded[i] = blocked_[i / kGroupRays] >> i % kGroupRays & 1;
-    }
-
-    const Target& target_;
-    Beam& beam_;
-    const RayStream& rays_;
-    const Filter& filter_;
-    uint32_t blocked_[kGroups] = {}; // bits
 };
 
 } // namespace peregrine::trace::bvh::HWY_NAMESPACE

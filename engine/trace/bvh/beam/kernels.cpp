@@ -24,8 +24,8 @@ HWY_ATTR void closest_beam(const Target& target, Beam& beam, const RayStream& ra
 
 HWY_ATTR bool occluded_beam(const Target& target, Beam& beam, const RayStream& rays,
                             const Filter& filter, uint8_t* occluded) {
-    return filter.trivial() ? OccludedBeam<false>(target, beam, rays, filter).trace(occluded)
-                            : OccludedBeam<true>(target, beam, rays, filter).trace(occluded);
+    return filter.trivial() ? OccludedBeam<Beam, false>(target, beam, rays, filter).trace(occluded)
+                            : OccludedBeam<Beam, true>(target, beam, rays, filter).trace(occluded);
 }
 
 constinit const BeamCalls kBeams = {closest_beam, occluded_beam};

@@ -22,26 +22,6 @@ using namespace trace::HWY_NAMESPACE;
 using accel::bvh::Block;
 using accel::bvh::Link;
 
-// Rays of a group whose slopes lie in a window (which counts from p = q = 0) and whose limit is
-// beyond z.
-HWY_INLINE HWY_ATTR uint32_t find_in_window(const Beam& beam, uint32_t group, const Window& window,
-                                            float z) {
-    const V8 p0 = hn::Set(k8, window.p0 - beam.center_p),
-             p1 = hn::Set(k8, window.p1 - beam.center_p);
-    const V8 q0 = hn::Set(k8, window.q0 - beam.center_q),
-             q1 = hn::Set(k8, window.q1 - beam.center_q);
-    uint32_t rays = 0;
-    for (uint32_t i = 0; i < kGroupRays; i += kLanes8) {
-        const uint32_t at = group * kGroupRays + i;
-        const V8 p = hn::Load(k8, beam.p + at), q = hn::Load(k8, beam.q + at);
-        const auto in =
-            hn::And(hn::And(hn::Ge(p, p0), hn::Le(p, p1)), hn::And(hn::Ge(q, q0), hn::Le(q, q1)));
-        const auto open = hn::Ge(hn::Load(k8, beam.limit + at), hn::Set(k8, z));
-        rays |= bits_of(k8, hn::And(in, open)) << i;
-    }
-    return rays;
-}
-
 // A block relative to the beam's origin: what its rays share of the canonical test.
 struct NearBlock {
     V4 x[3], y[3], z[3];
@@ -72,7 +52,7 @@ HWY_INLINE HWY_ATTR void visit_tiny_leaf(const Target& target, Beam& beam, Link 
     uint32_t rays[kGroups];
     for (uint32_t left = groups; left; left &= left - 1) {
         const uint32_t group = uint32_t(__builtin_ctz(left));
-        rays[group] = find_in_window(beam, group, window, z);
+        rays[group] = beam.find_rays(group, window, z);
         found |= rays[group] ? 1u << group : 0;
     }
     if (found == 0) return;

@@ -1,4 +1,4 @@
-// A beam through the wide BVH. Included once for each instruction set.
+// A Beam or a ParallelBeam through the wide BVH. Included once for each instruction set.
 #if defined(PEREGRINE_TRACE_BVH_BEAM_TRAVERSAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PEREGRINE_TRACE_BVH_BEAM_TRAVERSAL_INL_H
 #undef PEREGRINE_TRACE_BVH_BEAM_TRAVERSAL_INL_H
@@ -8,11 +8,8 @@
 
 #include <hwy/highway.h>
 
-#include "trace/bvh/beam/beam-inl.h"
 #include "trace/bvh/beam/candidates-inl.h"
-#include "trace/bvh/beam/children-inl.h"
-#include "trace/bvh/beam/facet-inl.h"
-#include "trace/bvh/beam/tiny_leaf-inl.h"
+#include "trace/bvh/beam/groups-inl.h"
 #include "trace/bvh/tree/decode-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,7 +29,7 @@ struct BeamEntry {
 
 inline constexpr uint32_t kGaveUp = ~0u;
 
-template <class Kernel>
+template <class Beam, class Kernel>
 HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link link,
                                     uint32_t mask, const Window& window, float limit,
                                     Kernel& kernel) {
@@ -41,7 +38,7 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
     const uint32_t count = leaf.count;
     const Block* block = leaf.blocks;
     for (uint32_t first = 0; first < count; first += accel::bvh::kBlockWidth, ++block) {
-        Facets facets;
+        typename Beam::SeenFacets facets;
         uint32_t lanes = facets.project(beam, *block, window, limit);
         if (count - first < accel::bvh::kBlockWidth) lanes &= (1u << (count - first)) - 1;
         for (; lanes; lanes &= lanes - 1) {
@@ -63,17 +60,19 @@ HWY_INLINE HWY_ATTR void visit_leaf(const Target& target, const Beam& beam, Link
 
 // Goes through what the beam may hit, roughly from near to far. `kernel.judge(facets, block, lane,
 // group, candidates)` decides for the rays of a group and a facet, `kernel.take(at, index, hit)`
-// hears of the hit of a ray that was tested alone. Returns the number of nodes visited, or kGaveUp
-// after more than kernel.most_tiny() tiny leaves.
-template <class Kernel>
+// hears of the hit of a ray that was tested alone. A kernel that looks for rays has groups drop out
+// of tiny children without any. Returns the number of nodes visited, or kGaveUp after more than
+// kernel.most_nodes() of them, or kernel.most_tiny() tiny leaves.
+template <class Beam, class Kernel>
 HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
     BeamEntry stack[accel::bvh::kStackSize];
     Window windows[accel::bvh::kStackSize]; // of those entries that are tiny
     Node room;
     uint32_t depth = 0;
     uint32_t visited = 0;
+    const uint32_t most_nodes = kernel.most_nodes();
     uint32_t tiny_left = kernel.most_tiny();
-    stack[depth++] = {Link::inner(0), beam.groups, 0, false};
+    stack[depth++] = {Link::inner(0), beam.groups, beam.near, false};
     Window window = beam.window;
     uint32_t window_groups = beam.groups;
     while (depth > 0) {
@@ -94,9 +93,9 @@ HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
             visit_leaf(target, beam, entry.link, groups, window, limit, kernel);
             continue;
         }
-        ++visited;
+        if (visited++ == most_nodes) return kGaveUp;
         const Node& node = fetch_node(target, entry.link.node(), room);
-        BeamChildren children;
+        typename Beam::Children children;
         children.find(beam, node, window, limit, Kernel::kTinySide);
         const uint32_t bottom = depth;
         for (uint32_t bits = children.entered; bits; bits &= bits - 1) {
@@ -107,14 +106,21 @@ HWY_ATTR uint32_t visit_beam(const Target& target, Beam& beam, Kernel& kernel) {
                 if (mask == 0) continue;
             }
             const Link link = node.child[child];
-            const bool tiny = link.is_leaf() && (children.tiny >> child & 1);
+            const bool tiny =
+                (children.tiny >> child & 1) && (Kernel::kLooksForRays || link.is_leaf());
+            Window in = window;
+            if (tiny) {
+                in = children.window_of(beam, child);
+                if (Kernel::kLooksForRays) mask = beam.groups_in(mask, in, children.near[child]);
+                if (mask == 0) continue;
+            }
             uint32_t place = depth++;
             for (; place > bottom && stack[place - 1].z < children.near[child]; --place) {
                 stack[place] = stack[place - 1];
                 windows[place] = windows[place - 1];
             }
-            stack[place] = {link, mask, children.near[child], tiny};
-            if (tiny) windows[place] = children.window_of(child);
+            stack[place] = {link, mask, children.near[child], tiny && link.is_leaf()};
+            if (tiny) windows[place] = in;
         }
     }
     return visited;

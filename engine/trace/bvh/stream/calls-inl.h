@@ -33,6 +33,13 @@ struct BeamCalls {
 };
 extern const BeamCalls kBeams;
 
+struct ParallelBeam;
+struct ParallelCalls {
+    bool (*occluded)(const Target& target, ParallelBeam& beam, const RayStream& rays,
+                     const Filter& filter, uint8_t* occluded); // as of BeamCalls
+};
+extern const ParallelCalls kParallels;
+
 struct Pencil;
 struct PencilCalls {
     void (*closest)(const Target& target, Pencil& pencil, const RayStream& rays,

@@ -47,6 +47,7 @@ HWY_ATTR void closest_hits(const Target& target, const RayStream& rays, const Fi
             kBeams.closest(target, beam, rays, filter, hits);
             return true;
         },
+        NoParallels(),
         [&](Pencil& pencil) HWY_ATTR { kPencils.closest(target, pencil, rays, filter, hits); },
         [&](uint32_t first, uint32_t count) HWY_ATTR {
             kWaveStreams.closest(target, part_of(rays, first, count), filter, part_of(hits, first));
@@ -62,6 +63,8 @@ HWY_ATTR void are_occluded(const Target& target, const RayStream& rays, const Fi
     Splitter(
         target, rays,
         [&](Beam& beam) HWY_ATTR { return kBeams.occluded(target, beam, rays, filter, result); },
+        [&](ParallelBeam& beam)
+            HWY_ATTR { return kParallels.occluded(target, beam, rays, filter, result); },
         [&](Pencil& pencil) HWY_ATTR { kPencils.occluded(target, pencil, rays, filter, result); },
         [&](uint32_t first, uint32_t count) HWY_ATTR {
             kWaveStreams.occluded(target, part_of(rays, first, count), filter, result + first);

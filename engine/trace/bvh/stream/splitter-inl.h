@@ -9,20 +9,23 @@
 #include <hwy/highway.h>
 
 #include "trace/bvh/beam/beam-inl.h"
+#include "trace/bvh/parallel/parallel-inl.h"
 #include "trace/bvh/pencil/pencil-inl.h"
 #include "trace/kernels.h"
+
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::trace::bvh::HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-// A look at a few rays: whether they seem to start at one point.
-inline bool may_be_beam(const RayStream& rays, uint32_t first, uint32_t count) {
+// A look at a few rays: whether they seem to have one and the same origin, or direction.
+inline bool may_be_one(const float* const (&vector)[3], uint32_t first, uint32_t count) {
     const uint32_t others[2] = {first + count / 2, first + count - 1};
-    for (const float* origin : rays.origin)
+    for (const float* component : vector)
         for (const uint32_t i : others)
-            if (origin[i] != origin[first]) return false;
+            if (component[i] != component[first]) return false;
     return true;
 }
 
@@ -41,15 +44,19 @@ inline bool may_be_pencil(const RayStream& rays, uint32_t first, uint32_t count)
     return true;
 }
 
-// Cuts a stream into beams, which share an origin, pencils, which are alike, and waves, which may
-// be anything: as many rays at a time as make one, halves where they do not. beams(beam) returns
-// false if the rays should go in waves instead.
-template <class Beams, class Pencils, class Waves>
+// Of those who take no beams of parallel rays.
+struct NoParallels {};
+
+// Cuts a stream into beams, which share an origin or a direction, pencils, which are alike, and
+// waves, which may be anything: as many rays at a time as make one, halves where they do not.
+// beams(beam) and parallels(beam) return false if the rays should go in waves instead.
+template <class Beams, class Parallels, class Pencils, class Waves>
 class Splitter {
 public:
-    HWY_ATTR Splitter(const Target& target, const RayStream& rays, Beams beams, Pencils pencils,
-                      Waves waves)
-        : target_(target), rays_(rays), beams_(beams), pencils_(pencils), waves_(waves) {
+    HWY_ATTR Splitter(const Target& target, const RayStream& rays, Beams beams, Parallels parallels,
+                      Pencils pencils, Waves waves)
+        : target_(target), rays_(rays), beams_(beams), parallels_(parallels), pencils_(pencils),
+          waves_(waves) {
         if (rays.coherence != Coherence::incoherent)
             for (uint32_t first = 0; first < rays.count && !no_beams_; first += kBeamRays)
                 split(first, std::min(kBeamRays, rays.count - first));
@@ -57,18 +64,19 @@ public:
     }
 
 private:
+    static constexpr bool kTakesParallel = !std::is_same_v<Parallels, NoParallels>;
     // Fewer are not worth the preparations.
     static constexpr uint32_t kLeastBeam = kGroupRays / 2, kLeastPencil = 2 * kBundleRays;
 
     HWY_ATTR void split(uint32_t first, uint32_t count) {
-        if (may_be_beam(rays_, first, count)) {
+        if (may_be_one(rays_.origin, first, count)) {
             if (count > kLeastBeam && beam_.gather(target_, rays_, first, count)) {
-                no_beams_ = !beams_(beam_);
-                if (no_beams_) return;
-                flush(first);
-                waiting_ = first + count;
+                trace(beams_, beam_);
                 return;
             }
+        } else if (takes_parallel(first, count)) {
+            if constexpr (kTakesParallel) trace(parallels_, parallel_);
+            return;
         } else if (count <= kPencilRays && count >= kLeastPencil
                    && may_be_pencil(rays_, first, count)
                    && pencil_.gather(target_, rays_, first, count)) {
@@ -83,6 +91,22 @@ private:
         if (!no_beams_) split(first + half, count - half);
     }
 
+    HWY_ATTR bool takes_parallel(uint32_t first, uint32_t count) {
+        if constexpr (kTakesParallel)
+            return count > kLeastBeam && may_be_one(rays_.direction, first, count)
+                   && parallel_.gather(target_, rays_, first, count);
+        else
+            return false;
+    }
+
+    template <class Beam, class Trace>
+    HWY_ATTR void trace(Trace& trace_beam, Beam& beam) {
+        no_beams_ = !trace_beam(beam);
+        if (no_beams_) return;
+        flush(beam.first);
+        waiting_ = beam.first + beam.count;
+    }
+
     HWY_ATTR void flush(uint32_t end) {
         if (end > waiting_) waves_(waiting_, end - waiting_);
     }
@@ -90,11 +114,13 @@ private:
     const Target& target_;
     const RayStream& rays_;
     Beams beams_;
+    Parallels parallels_;
     Pencils pencils_;
     Waves waves_;
     uint32_t waiting_ = 0;  // first ray that was not traced yet
     bool no_beams_ = false; // one gave up: the rest goes in waves
     Beam beam_;
+    std::conditional_t<kTakesParallel, ParallelBeam, NoParallels> parallel_;
     Pencil pencil_;
 };
 
