@@ -49,6 +49,7 @@ constexpr rt_api kApi = {
     .set_fog = rt_set_fog,
     .add_program = rt_add_program,
     .remove_program = rt_remove_program,
+    .adapt_exposure = rt_adapt_exposure,
 };
 
 constexpr const char* kResultNames[] = {

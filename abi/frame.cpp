@@ -113,7 +113,7 @@ render::Frame to_frame(const rt_frame_desc& in) {
     frame.bounces = to_bounces(in);
     frame.occlusion = to_occlusion(in);
     frame.bloom = to_bloom(in);
-    read_airlight(in, frame);
+    read_tail(in, frame);
     return frame;
 }
 
@@ -130,6 +130,7 @@ rt_frame_stats to_stats(const render::FrameStats& in) {
     out.rays_particle = in.rays_particle;
     out.program_hits = in.program_hits;
     out.program_faults = in.program_faults;
+    out.mean_luminance = double(in.mean_luminance);
     out.frame_ms = in.frame_ms;
     out.isa = rt_isa(in.isa);
     return out;

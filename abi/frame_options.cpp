@@ -105,7 +105,7 @@ render::Bloom to_bloom(const rt_frame_desc& in) {
     return {in.bloom, in.bloom_threshold, in.bloom_radius};
 }
 
-void read_airlight(const rt_frame_desc& in, render::Frame& frame) {
+void read_tail(const rt_frame_desc& in, render::Frame& frame) {
     if (in.airlight_shadows > shade::kMostPieces)
         base::fail(base::Code::invalid_argument,
                    "rt_frame_desc.airlight_shadows is %u; it must be at most %u",
@@ -116,7 +116,8 @@ void read_airlight(const rt_frame_desc& in, render::Frame& frame) {
         base::fail(base::Code::invalid_argument,
                    "rt_frame_desc.airlight_block is %u; it must be 0, 1, 2 or 4", block);
     frame.airlight_block = block;
-    require_zero(in.reserved, "rt_frame_desc.reserved");
+    require_flag(in.measure_luminance, "rt_frame_desc.measure_luminance");
+    frame.measures_luminance = in.measure_luminance != 0;
 }
 
 base::Vector<render::Particle> to_particles(const rt_frame_desc& in, const double (&eye)[3],

@@ -10,7 +10,8 @@ render::Approximations to_approximations(const rt_frame_desc& in);
 render::Bounces to_bounces(const rt_frame_desc& in);
 render::Occlusion to_occlusion(const rt_frame_desc& in);
 render::Bloom to_bloom(const rt_frame_desc& in);
-void read_airlight(const rt_frame_desc& in, render::Frame& frame);
+// Airlight, and what is measured.
+void read_tail(const rt_frame_desc& in, render::Frame& frame);
 
 // `eye`: rt_camera.position.
 base::Vector<render::Particle> to_particles(const rt_frame_desc& in, const double (&eye)[3],

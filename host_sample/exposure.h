@@ -1,5 +1,7 @@
 #pragma once
 
+#include <peregrine/rt.h>
+
 #include "level.h"
 #include "session.h"
 
@@ -12,13 +14,11 @@ struct Sight {
 };
 constexpr Sight night_sight{0.075f, 0.4f}; // what is dark stays dark
 
-// Exposure as an eye adapts: a small picture of the view is rendered and its mean brightness
-// measured. Adapts in part only, so that a dark hall stays darker than a courtyard. --exposure
-// fixes it.
+// Exposure as an eye adapts (rt_adapt_exposure), by small pictures of the view. Adapts in part
+// only, so that a dark hall stays darker than a courtyard. --exposure fixes it.
 class Exposure {
 public:
-    explicit Exposure(const Session& session, const Sight& sight = {})
-        : session_(session), sight_(sight) {}
+    explicit Exposure(const Session& session, const Sight& sight = {});
 
     // Adapted to this view at once.
     float settle(const Viewpoint& viewpoint);
@@ -27,13 +27,13 @@ public:
     float drift(const Viewpoint& viewpoint, double seconds);
 
 private:
-    float wanted(const Viewpoint& viewpoint) const;
+    void measure(const Viewpoint& viewpoint);
+    float adapt(double seconds);
 
     const Session& session_;
-    Sight sight_;
-    float current_ = 0.0f; // 0: not yet settled
-    float goal_ = 0.0f;    // what the view asked for when it was measured
-    double age_ = 0.0;     // seconds since
+    rt_exposure eye_ = rt_default_exposure();
+    float mean_ = 0.0f; // luminance, when it was measured
+    double age_ = 0.0;  // seconds since
 };
 
 } // namespace host

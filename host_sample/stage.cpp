@@ -68,6 +68,7 @@ rt_frame_stats Stage::render(const Viewpoint& viewpoint, const Frame& frame, voi
     desc.bloom = frame.bloom;
     desc.airlight_shadows = frame.airlight_shadows;
     desc.airlight_block = 2;
+    desc.measure_luminance = frame.measures_luminance ? 1 : 0;
     desc.particles = frame.particles;
     desc.snapshot = frame.snapshot;
     desc.render_width = frame.traced_width;

@@ -22,8 +22,9 @@ struct Frame {
     uint32_t occlusion_block = 8;
     float bloom = 0;               // rt_frame_desc::bloom
     uint32_t airlight_shadows = 0; // rt_frame_desc::airlight_shadows, in blocks of 2x2
-    rt_array particles{};          // rt_frame_desc::particles
-    rt_snapshot snapshot{};        // null: the current one
+    bool measures_luminance = false;
+    rt_array particles{};   // rt_frame_desc::particles
+    rt_snapshot snapshot{}; // null: the current one
     // The picture is traced so large and then enlarged; 0: as large as it is. Or the governor
     // chooses, by the last frame that it chose, if it has not seen that yet.
     uint32_t traced_width = 0, traced_height = 0;

@@ -8,6 +8,7 @@
 #include "render/post/edge_rays.h"
 #include "render/post/edges.h"
 #include "render/post/enlarge.h"
+#include "render/post/luminance.h"
 #include "render/primary_rays.h"
 
 #include <algorithm>
@@ -38,6 +39,7 @@ public:
           tile_openness_(plan_.shader.finds_openness() ? workers_.size() : 0, memory),
           program_memory_(plan_.shader.has_programs() ? workers_.size() : 0, memory),
           airlight_(plan_.airlight.any() ? workers_.size() : 0, memory),
+          luminance_(frame.counts_luminance() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
           path_room_(plan_, workers_.size(), memory),
           edges_(frame.looks_for_edges() ? workers_.size() : 0, memory) {}
@@ -57,6 +59,7 @@ public:
                 workers_[i].scratch.airlight = &airlight_[i];
                 plan_.airlight.begin(plan_.eye, airlight_[i]);
             }
+            if (!luminance_.empty()) workers_[i].luminance = &luminance_[i];
             begin_primary_rays(plan_, workers_[i]);
         });
         if (particles_)
@@ -72,7 +75,9 @@ public:
         if (plan_.frame.is_enlarged()) enlarge();
     }
 
-    void add_to(FrameStats& stats) const {
+    void add_to(FrameStats& stats) {
+        for (size_t i = 1; i < luminance_.size(); ++i) luminance_[0].add(luminance_[i]);
+        if (!luminance_.empty()) stats.mean_luminance = luminance_[0].mean();
         stats.rays_primary += uint64_t(plan_.extent.width) * plan_.extent.height;
         for (const TileBuffers& buffers : workers_) {
             stats.rays_shadow += buffers.scratch.shadow.ray_count;
@@ -187,6 +192,7 @@ private:
     base::Vector<shade::TileOpenness> tile_openness_;   // of each worker
     base::Vector<shade::ProgramMemory> program_memory_; // of each worker
     base::Vector<shade::AirlightMemory> airlight_;      // of each worker
+    base::Vector<post::LuminanceCounts> luminance_;     // of each worker
     shade::LightRoom light_room_;
     PathRoom path_room_;
     base::Vector<post::EdgeCounts> edges_; // of each worker

@@ -112,6 +112,7 @@ struct Frame {
     uint32_t airlight_pieces = 0; // see shade::AirShadows, ...
     uint32_t airlight_block = 1;  // ... of which this is the group's side
     std::span<const Particle> particles;
+    bool measures_luminance = false;
 
     bool is_shaded() const { return pixels && view == View::shaded; }
     bool looks_for_edges() const { return is_shaded() && approximations.edge_samples > 1; }
@@ -120,6 +121,7 @@ struct Frame {
     }
     // Beyond the batch for which it was found.
     bool keeps_light() const { return finds_blocks() || looks_for_edges(); }
+    bool counts_luminance() const { return is_shaded() && measures_luminance; }
     bool blooms() const { return is_shaded() && bloom.strength > 0; }
     bool shows_particles() const { return is_shaded() && !particles.empty(); }
     Extent extent() const { return {width, height}; }
@@ -147,6 +149,7 @@ struct FrameStats {
     uint64_t rays_particle = 0;
     uint64_t program_hits = 0;
     uint64_t program_faults = 0;
+    float mean_luminance = 0; // 0: not measured
     double frame_ms = 0;
     base::Isa isa = base::Isa::scalar;
 };

@@ -7,6 +7,7 @@
 #include "render/planes.h"
 #include "render/post/bloom.h"
 #include "render/post/encode.h"
+#include "render/post/luminance.h"
 #include "render/post/tones.h"
 #include "render/primary_rays.h"
 #include "render/shading.h"
@@ -139,6 +140,7 @@ Plan::Plan(const scene::Snapshot& snapshot_, const Camera& camera, const Frame& 
     if (frame.is_shaded() && shader.has_sky() && !paths.any()) stages_.add(paint_sky);
     if (fog.any() && !paths.any()) stages_.add(hide_in_fog);
     if (particles) stages_.add(add_particles);
+    if (frame.counts_luminance()) stages_.add(post::count_luminance);
     if (frame.looks_for_edges()) stages_.add(keep_edges);
     if (bloom) {
         stages_.add(keep_radiance);

@@ -9,6 +9,9 @@
 #include "shade/surface/ray_hits.h"
 
 namespace peregrine::render {
+namespace post {
+class LuminanceCounts;
+}
 
 static_assert(kTilePadded * sizeof(float) % 64 == 0, "the kernels want aligned arrays");
 
@@ -33,12 +36,13 @@ struct alignas(64) TileBuffers {
 
     TileColors colors; // radiance, then display values
     shade::Scratch scratch;
-    shade::TileLight* light = nullptr;       // if Frame::keeps_light()
-    shade::TileOpenness* openness = nullptr; // if the shader finds it
-    uint64_t light_point_count = 0;          // of a frame
-    uint64_t edge_ray_count = 0;             // of a frame
-    uint64_t particle_ray_count = 0;         // of a frame
-    shade::PathMemory* paths = nullptr;      // of plans that have any
+    shade::TileLight* light = nullptr;          // if Frame::keeps_light()
+    shade::TileOpenness* openness = nullptr;    // if the shader finds it
+    uint64_t light_point_count = 0;             // of a frame
+    uint64_t edge_ray_count = 0;                // of a frame
+    uint64_t particle_ray_count = 0;            // of a frame
+    shade::PathMemory* paths = nullptr;         // of plans that have any
+    post::LuminanceCounts* luminance = nullptr; // of frames that measure it
 
     // Calls function(hits, first) for batches of rays, `first` being a batch's first.
     template <class Function>

@@ -490,7 +490,7 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, airlight_shadows);
     FIELD(rt_frame_desc, particles);
     FIELD(rt_frame_desc, airlight_block);
-    FIELD(rt_frame_desc, reserved);
+    FIELD(rt_frame_desc, measure_luminance);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);
@@ -507,6 +507,7 @@ static void print_frame(void) {
     FIELD(rt_frame_stats, rays_particle);
     FIELD(rt_frame_stats, program_hits);
     FIELD(rt_frame_stats, program_faults);
+    FIELD(rt_frame_stats, mean_luminance);
     STRUCT(rt_governor);
     FIELD(rt_governor, struct_size);
     FIELD(rt_governor, target_ms);
@@ -522,6 +523,15 @@ static void print_frame(void) {
     FIELD(rt_governor, costs);
     FIELD(rt_governor, seen_at);
     FIELD(rt_governor, text);
+    STRUCT(rt_exposure);
+    FIELD(rt_exposure, struct_size);
+    FIELD(rt_exposure, key);
+    FIELD(rt_exposure, adaptation);
+    FIELD(rt_exposure, least);
+    FIELD(rt_exposure, most);
+    FIELD(rt_exposure, brighten_seconds);
+    FIELD(rt_exposure, darken_seconds);
+    FIELD(rt_exposure, exposure);
     STRUCT(rt_scene_stats);
     FIELD(rt_scene_stats, struct_size);
     FIELD(rt_scene_stats, threads);
@@ -581,6 +591,7 @@ static void print_table(void) {
     FIELD(rt_api, set_fog);
     FIELD(rt_api, add_program);
     FIELD(rt_api, remove_program);
+    FIELD(rt_api, adapt_exposure);
 }
 
 int main(void) {

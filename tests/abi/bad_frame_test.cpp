@@ -161,8 +161,8 @@ TEST_F(BadFrame, Airlight) {
     for (const uint32_t block : {3u, 8u, ~0u})
         refuse_frame([&](rt_frame_desc& d) { d.airlight_block = block; }, RT_ERROR_INVALID_ARGUMENT,
                      "rt_frame_desc.airlight_block is");
-    refuse_frame([](rt_frame_desc& d) { d.reserved = 1; }, RT_ERROR_INVALID_ARGUMENT,
-                 "rt_frame_desc.reserved");
+    refuse_frame([](rt_frame_desc& d) { d.measure_luminance = 2; }, RT_ERROR_INVALID_ARGUMENT,
+                 "rt_frame_desc.measure_luminance is 2");
 }
 
 TEST_F(BadFrame, Particles) {

@@ -151,6 +151,12 @@ TEST_F(BadStruct, QueryAndFrame) {
         [&](rt_frame_stats* stats) { return rt_render_frame(scene(), &camera, &frame, stats); });
 }
 
+TEST_F(BadStruct, Exposure) {
+    check_sizes<rt_exposure>(rt_default_exposure(), "rt_exposure", [](const rt_exposure* e) {
+        return rt_adapt_exposure(const_cast<rt_exposure*>(e), 0.1f, 0.1f);
+    });
+}
+
 TEST_F(BadStruct, Governor) {
     rt_frame_desc frame = rt_default_frame_desc();
     rt_governor governor = rt_default_governor();

@@ -103,6 +103,7 @@ public:
         case 11:
             return remove(lights_, rt_remove_light);
         case 12:
+            adapt_exposure();
             return set_environment();
         case 13:
             return commit();
@@ -360,6 +361,14 @@ private:
         check(rt_set_fog(scene_, &fog));
     }
 
+    void adapt_exposure() {
+        rt_exposure exposure = rt_default_exposure();
+        exposure.exposure = random_.unit();
+        exposure.adaptation = random_.unit();
+        spoil(exposure, 4);
+        check(rt_adapt_exposure(&exposure, random_.unit(), random_.unit()));
+    }
+
     void commit() {
         rt_commit_desc desc = rt_default_commit_desc();
         desc.empty_bonus = random_.one_in(2) ? 0 : random_.unit();
@@ -401,6 +410,7 @@ private:
         frame.bloom_radius = random_.unit();
         frame.airlight_shadows = random_.below(34); // one too many
         frame.airlight_block = random_.below(5);
+        frame.measure_luminance = random_.below(2);
         frame.render_width = random_.below(frame.width + 1);
         const uint64_t row = frame.width * kBytes[frame.format];
         frame.row_stride = random_.one_in(2) ? 0 : row + random_.below(20);

@@ -1431,16 +1431,16 @@ typedef struct rt_frame_desc {
                               light does. rt_default_frame_desc() has 1 */
     float bloom_radius;    /* how far, as a part of the picture's height; 0 to 1.
                               rt_default_frame_desc() has 0.15 */
-    uint32_t airlight_shadows; /* pieces, at most 32, into which a ray's way through the light of a
-                                  lamp with a fog_scatter is cut, to find what the lamp sees of it:
-                                  so many shadow rays and one, and three where a shadow begins. 0:
-                                  in fog this light goes through walls. rt_default_frame_desc() has
-                                  8 */
-    rt_array particles;        /* rt_particle: at most 2^24 */
-    uint32_t airlight_block;   /* pixels. 0, 1: each ray asks for its own airlight_shadows; 2, 4:
-                                  one in a block of so many, for the others, too, where their ways
-                                  are about the same. rt_default_frame_desc() has 2 */
-    uint32_t reserved;         /* 0 */
+    uint32_t airlight_shadows;  /* pieces, at most 32, into which a ray's way through the light of a
+                                   lamp with a fog_scatter is cut, to find what the lamp sees of it:
+                                   so many shadow rays and one, and three where a shadow begins. 0:
+                                   in fog this light goes through walls. rt_default_frame_desc() has
+                                   8 */
+    rt_array particles;         /* rt_particle: at most 2^24 */
+    uint32_t airlight_block;    /* pixels. 0, 1: each ray asks for its own airlight_shadows; 2, 4:
+                                   one in a block of so many, for the others, too, where their ways
+                                   are about the same. rt_default_frame_desc() has 2 */
+    uint32_t measure_luminance; /* 0 or 1; 1: of a shaded frame, in rt_frame_stats */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1482,6 +1482,9 @@ typedef struct rt_frame_stats {
     uint64_t program_hits;     /* that programs of the host shaded, of pixels, edges and paths */
     uint64_t program_faults;   /* of these: with a radiance or weight that is negative or not
                                   finite, which counted as 0, or a ray without a direction */
+    double mean_luminance;     /* with measure_luminance, else 0: the geometric mean of the pixels'
+                                  radiance (0.2126 R + 0.7152 G + 0.0722 B, each at least 1 / 1024),
+                                  before exposure and bloom, within a hundredth */
 } rt_frame_stats;
 
 static inline rt_frame_stats rt_default_frame_stats(void) {
@@ -1534,6 +1537,39 @@ static inline rt_governor rt_default_governor(void) {
  * any time, of different governors. */
 RT_EXPORT rt_result rt_govern_frame(rt_governor* governor, rt_frame_desc* frame,
                                     const rt_frame_stats* last) RT_NOEXCEPT;
+
+/* Exposure as an eye adapts. */
+typedef struct rt_exposure {
+    uint32_t struct_size;
+    float key;        /* > 0: where the mean of radiance times exposure is to be */
+    float adaptation; /* 0 to 1: (key / mean)^adaptation is the aim. 1: each view gets the same
+                         mean; less: a dark one stays darker */
+    float least;      /* exposure that it may choose: > 0, ... */
+    float most;       /* ... and >= least */
+    float brighten_seconds; /* >= 0: after so long 63% of a ratio are made up for, when a view is */
+    float darken_seconds;   /* darker than the last, and when it is brighter. 0: at once */
+    float exposure; /* is set: for the next frame. 0, as to begin with: the aim is met at once */
+} rt_exposure;
+
+static inline rt_exposure rt_default_exposure(void) {
+    rt_exposure exposure;
+    memset(&exposure, 0, sizeof exposure);
+    exposure.struct_size = (uint32_t)sizeof exposure;
+    exposure.key = 0.18f;
+    exposure.adaptation = 0.7f;
+    exposure.least = 0.125f;
+    exposure.most = 8.0f;
+    exposure.brighten_seconds = 1.0f;
+    exposure.darken_seconds = 0.4f;
+    return exposure;
+}
+
+/* To be called before each frame, `seconds` after the last call, with rt_frame_stats.mean_luminance
+ * of the last frame that measured it; 0: none did, and exposure stays as it is, or begins with 1.
+ * Depends on its arguments alone. Errors: INVALID_ARGUMENT, INVALID_STRUCT. Thread safety: any
+ * thread, any time, of different exposures. */
+RT_EXPORT rt_result rt_adapt_exposure(rt_exposure* exposure, float mean_luminance,
+                                      float seconds) RT_NOEXCEPT;
 
 /* -------------------------------------------------------------------------------------- stats */
 
@@ -1612,6 +1648,7 @@ typedef struct rt_api {
     rt_result (*set_fog)(rt_scene scene, const rt_fog* fog);
     rt_result (*add_program)(rt_scene scene, const rt_program_desc* desc, rt_program* out_program);
     rt_result (*remove_program)(rt_scene scene, rt_program program);
+    rt_result (*adapt_exposure)(rt_exposure* exposure, float mean_luminance, float seconds);
 } rt_api;
 
 /* The table for hosts that load the library by hand; look this one symbol up. `version` is the
