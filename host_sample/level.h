@@ -57,6 +57,8 @@ struct Material {
     bool blended = false;
     bool double_sided = false;
     TextureUse base_color_texture, normal_texture, emissive_texture;
+    TextureUse occlusion_texture, roughness_texture; // as of rt_material_desc
+    float occlusion_strength = 1.0f, roughness = 1.0f, metalness = 1.0f;
 };
 
 enum class LightType { point, spot, directional };
