@@ -53,6 +53,7 @@ struct Material {
     glm::vec3 attenuation_color{1.0f};
     float attenuation_distance = 0.0f; // 0: nothing is lost
     bool thin = false;
+    bool unlit = false; // KHR_materials_unlit: its `emissive` is no light
     bool masked = false;
     bool blended = false;
     bool double_sided = false;

@@ -90,6 +90,7 @@ void apply_emission(const tinygltf::Material& source, Textures& textures, Materi
 
 // KHR_materials_unlit: the base colour, whatever the light.
 void make_unlit(Material& material) {
+    material.unlit = true;
     material.emissive = glm::vec3(material.base_color);
     material.emissive_texture = material.base_color_texture;
     material.base_color = glm::vec4(0.0f, 0.0f, 0.0f, material.base_color.a);
