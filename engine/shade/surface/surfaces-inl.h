@@ -99,7 +99,8 @@ HWY_INLINE void finish_span(const MaterialLook& look, uint32_t features, const R
         find_colors(look, features, by_footprint, span, out);
     if (look.roughness.texture) find_roughness<Part>(look, features, by_footprint, span, out);
     if constexpr (Part != SurfacePart::geometry)
-        if (features & scene::kOcclusionTextures) find_occlusion(look, by_footprint, span, out);
+        if ((features & scene::kOcclusionTextures) && !has_both(look))
+            find_occlusion(look, by_footprint, span, out);
 }
 
 // Neighbouring rays mostly hit the same triangle, and yet more often see the same material. A

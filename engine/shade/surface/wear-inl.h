@@ -50,33 +50,44 @@ HWY_INLINE void shine(const scene::Material& material, uint32_t features, uint32
     store(scale(albedo, left), out.albedo, i);
 }
 
+HWY_INLINE void hide(float strength, uint32_t i, Vf red, Surface& out) {
+    const Vf one = splat(1.0f);
+    const Vf part = hn::Sub(clamp(red, 0.0f, 1.0f), one);
+    hn::StoreU(hn::Add(one, hn::Mul(splat(strength), part)), kF, out.occlusion + i);
+}
+
+// Of one image for both, which is sampled once.
+HWY_INLINE bool has_both(const MaterialLook& look) {
+    return look.roughness.texture && look.roughness.texture == look.occlusion.texture
+           && look.roughness.place == look.occlusion.place;
+}
+
 template <SurfacePart Part>
 HWY_INLINE void find_roughness(const MaterialLook& look, uint32_t features, bool by_footprint,
                                Run span, Surface& out) {
     const scene::Material& material = *look.material;
     const float* const gains = gain_table().gain;
     const Vf roughness = splat(material.roughness), metalness = splat(material.metalness);
+    const bool hides = has_both(look);
     sample_texture(look.roughness, out, by_footprint, span,
                    [&](uint32_t i, const V3& texel, Vf) HWY_ATTR {
                        const Vf rough = clamp(hn::Mul(texel.y, roughness), 0.0f, 1.0f);
                        if constexpr (Part != SurfacePart::colors)
                            if (features & scene::kSpecular)
                                hn::StoreU(shininess_of(rough), kF, out.shininess + i);
-                       if constexpr (Part != SurfacePart::geometry)
-                           shine(material, features, i, rough,
-                                 clamp(hn::Mul(texel.z, metalness), 0.0f, 1.0f), gains, out);
+                       if constexpr (Part == SurfacePart::geometry) return;
+                       shine(material, features, i, rough,
+                             clamp(hn::Mul(texel.z, metalness), 0.0f, 1.0f), gains, out);
+                       if (hides) hide(material.occlusion_strength, i, texel.x, out);
                    });
 }
 
 HWY_INLINE void find_occlusion(const MaterialLook& look, bool by_footprint, Run span,
                                Surface& out) {
     if (!look.occlusion.texture) return fill(1.0f, span, out.occlusion);
-    const Vf strength = splat(look.material->occlusion_strength), one = splat(1.0f);
-    sample_texture(
-        look.occlusion, out, by_footprint, span, [&](uint32_t i, const V3& texel, Vf) HWY_ATTR {
-            const Vf red = clamp(texel.x, 0.0f, 1.0f);
-            hn::StoreU(hn::Add(one, hn::Mul(strength, hn::Sub(red, one))), kF, out.occlusion + i);
-        });
+    sample_texture(look.occlusion, out, by_footprint, span,
+                   [&](uint32_t i, const V3& texel, Vf)
+                       HWY_ATTR { hide(look.material->occlusion_strength, i, texel.x, out); });
 }
 
 } // namespace peregrine::shade::HWY_NAMESPACE
