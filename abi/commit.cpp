@@ -23,6 +23,8 @@ static_assert(RT_FEATURE_FOG == int(scene::kFog));
 static_assert(RT_FEATURE_PROGRAMS == int(scene::kPrograms));
 static_assert(RT_FEATURE_PROGRAM_RAYS == int(scene::kProgramRays));
 static_assert(RT_FEATURE_AIRLIGHT == int(scene::kAirlight));
+static_assert(RT_FEATURE_OCCLUSION_TEXTURES == int(scene::kOcclusionTextures));
+static_assert(RT_FEATURE_ROUGHNESS_TEXTURES == int(scene::kRoughnessTextures));
 
 static_assert(RT_BUILD_BALANCED == int(accel::bvh::Quality::balanced));
 static_assert(RT_BUILD_FAST == int(accel::bvh::Quality::fast));

@@ -124,6 +124,18 @@ base::Handle to_program(scene::Scene& scene, const rt_material_desc& desc) {
     return program;
 }
 
+void describe_wear(const rt_material_desc& desc, scene::Material& material) {
+    require_share(desc.occlusion_strength, "rt_material_desc.occlusion_strength");
+    require_share(desc.roughness, "rt_material_desc.roughness");
+    require_share(desc.metalness, "rt_material_desc.metalness");
+    require_zero(desc.reserved2, "rt_material_desc.reserved2");
+    material.occlusion_texture = to_use(desc.occlusion_texture, "occlusion_texture");
+    material.roughness_texture = to_use(desc.roughness_texture, "roughness_texture");
+    material.occlusion_strength = desc.occlusion_strength;
+    material.roughness = desc.roughness;
+    material.metalness = desc.metalness;
+}
+
 scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc& desc) {
     check_numbers(desc);
     scene::MaterialDescription result;
@@ -139,6 +151,7 @@ scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc&
     material.blended = desc.alpha_mode == RT_ALPHA_BLEND;
     material.double_sided = desc.double_sided != 0;
     describe_paths(desc, material);
+    describe_wear(desc, material);
     material.base_color_texture = to_use(desc.base_color_texture, "base_color_texture");
     material.normal_texture = to_use(desc.normal_texture, "normal_texture");
     material.emissive_texture = to_use(desc.emissive_texture, "emissive_texture");
@@ -146,6 +159,8 @@ scene::MaterialDescription describe(scene::Scene& scene, const rt_material_desc&
     result.base_color_texture = to_texture(scene, desc.base_color_texture, "base_color_texture");
     result.normal_texture = to_texture(scene, desc.normal_texture, "normal_texture");
     result.emissive_texture = to_texture(scene, desc.emissive_texture, "emissive_texture");
+    result.occlusion_texture = to_texture(scene, desc.occlusion_texture, "occlusion_texture");
+    result.roughness_texture = to_texture(scene, desc.roughness_texture, "roughness_texture");
     result.program = to_program(scene, desc);
     return result;
 }

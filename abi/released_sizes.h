@@ -26,7 +26,7 @@ struct Released;
 PEREGRINE_RELEASED(rt_scene_desc, 80);
 PEREGRINE_RELEASED(rt_texture_desc, 48);
 PEREGRINE_RELEASED(rt_program_desc, 24);
-PEREGRINE_RELEASED(rt_material_desc, 192, 240, 248);
+PEREGRINE_RELEASED(rt_material_desc, 192, 240, 248, 344);
 PEREGRINE_RELEASED(rt_mesh_desc, 200);
 PEREGRINE_RELEASED(rt_mesh_update, 80);
 PEREGRINE_RELEASED(rt_light_desc, 72, 80, 88);

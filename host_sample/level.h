@@ -53,10 +53,13 @@ struct Material {
     glm::vec3 attenuation_color{1.0f};
     float attenuation_distance = 0.0f; // 0: nothing is lost
     bool thin = false;
+    bool unlit = false; // KHR_materials_unlit: its `emissive` is no light
     bool masked = false;
     bool blended = false;
     bool double_sided = false;
     TextureUse base_color_texture, normal_texture, emissive_texture;
+    TextureUse occlusion_texture, roughness_texture; // as of rt_material_desc
+    float occlusion_strength = 1.0f, roughness = 1.0f, metalness = 1.0f;
 };
 
 enum class LightType { point, spot, directional };

@@ -85,7 +85,8 @@ int list_pads(const Options& options) {
 
 int view(const Options& options) {
     Level level = load_level(options, options.animation);
-    for (Light& light : level.lights) light.source_radius = options.lamp_radius;
+    for (Light& light : level.lights)
+        if (light.source_radius == 0.0f) light.source_radius = options.lamp_radius;
     const bool has_effects = options.effects.value_or(Effects::plain) != Effects::plain;
     if (has_effects) light_mist(level);
     if (options.fog_lamps > 0.0f) light_fog(level, options.fog_lamps);

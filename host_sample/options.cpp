@@ -191,6 +191,10 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--lamp-radius", options.lamp_radius,
                    "with --view-only: lights are spheres of so many metres, and shadows soft [0]")
         ->check(CLI::Range(0.0f, 1e3f));
+    app.add_option("--emissive-lamps", options.emissive_lamps,
+                   "with --view-only or --headless: at most so many lamps that shine as what glows "
+                   "does, the strongest [0]")
+        ->check(CLI::Range(0u, 4096u));
     app.add_flag("--light-proofs", options.light_proofs,
                  "with --view-only: prove once what standing lamps see of the level (seconds)");
     app.add_option("--bloom", options.bloom,

@@ -31,7 +31,9 @@ constexpr std::pair<uint32_t, const char*> features[] = {
     {RT_FEATURE_FOG, "fog"},
     {RT_FEATURE_PROGRAMS, "programs"},
     {RT_FEATURE_PROGRAM_RAYS, "program_rays"},
-    {RT_FEATURE_AIRLIGHT, "airlight"}};
+    {RT_FEATURE_AIRLIGHT, "airlight"},
+    {RT_FEATURE_OCCLUSION_TEXTURES, "occlusion_textures"},
+    {RT_FEATURE_ROUGHNESS_TEXTURES, "roughness_textures"}};
 
 Json describe_left_out(uint32_t bits) {
     Json names = Json::array();

@@ -94,6 +94,11 @@ private:
         desc.base_color_texture = to_use(material.base_color_texture);
         desc.normal_texture = to_use(material.normal_texture);
         desc.emissive_texture = to_use(material.emissive_texture);
+        desc.occlusion_texture = to_use(material.occlusion_texture);
+        desc.roughness_texture = to_use(material.roughness_texture);
+        desc.occlusion_strength = material.occlusion_strength;
+        desc.roughness = material.roughness;
+        desc.metalness = material.metalness;
         desc.user_data = materials_.size();
         if (material.name == "water" && water_.generation != 0) {
             desc.program = water_;

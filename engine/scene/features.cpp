@@ -12,6 +12,8 @@ uint32_t features_of(const Material& material) {
     if (material.base_color_texture.texture) features |= kTextures;
     if (material.normal_texture.texture) features |= kNormalMaps | kTextures;
     if (material.emissive_texture.texture) features |= kTextures;
+    if (material.occlusion_texture.texture) features |= kOcclusionTextures | kTextures;
+    if (material.roughness_texture.texture) features |= kRoughnessTextures | kTextures | kSpecular;
     if (material.emissive != math::Vec3(0)) features |= kEmissive;
     if (material.specular != math::Vec3(0)) features |= kSpecular;
     if (material.reflectivity > 0) features |= kReflection;

@@ -30,7 +30,9 @@ enum Feature : uint32_t {
     kPrograms = 1u << 14,
     kProgramRays = 1u << 15,
     kAirlight = 1u << 16,
-    kAllFeatures = (1u << 17) - 1,
+    kOcclusionTextures = 1u << 17,
+    kRoughnessTextures = 1u << 18,
+    kAllFeatures = (1u << 19) - 1,
 };
 
 // Of materials at which paths go on.

@@ -30,6 +30,11 @@ struct Material {
     TextureUse base_color_texture;
     TextureUse normal_texture;
     TextureUse emissive_texture;
+    TextureUse occlusion_texture; // R: how much of the ambient light arrives
+    TextureUse roughness_texture; // G, and B: metalness (shade/material/roughness.h)
+    float occlusion_strength = 0; // these three: of the textures
+    float roughness = 0;
+    float metalness = 0;
     uint32_t slot = 0; // of the handle, with its generation; 0, 0: the default material
     uint32_t generation = 0;
     uint64_t user_data = 0;

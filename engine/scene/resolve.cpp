@@ -29,6 +29,8 @@ Material resolve(Scene& scene, const MaterialDescription& description, Handle ha
     resolve(scene, material.base_color_texture, description.base_color_texture, handle);
     resolve(scene, material.normal_texture, description.normal_texture, handle);
     resolve(scene, material.emissive_texture, description.emissive_texture, handle);
+    resolve(scene, material.occlusion_texture, description.occlusion_texture, handle);
+    resolve(scene, material.roughness_texture, description.roughness_texture, handle);
     if (const HostProgram* const program = scene.programs.find(description.program)) {
         material.program = (description.program.index + 1) & 0x7fffffffu;
         material.asks_rays = program->wants(HostProgram::kRays) ? 1 : 0;

@@ -71,6 +71,8 @@ struct MaterialDescription {
     Handle normal_texture;
     Handle emissive_texture;
     Handle program = {};
+    Handle occlusion_texture = {};
+    Handle roughness_texture = {};
 };
 
 // How to build the structure over the fixed meshes.

@@ -15,7 +15,8 @@ void Shader::find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scrat
     uint32_t unasked = 0; // textures that this part does not sample
     if (part != SurfacePart::all && part != SurfacePart::geometry) unasked |= scene::kNormalMaps;
     if (part != SurfacePart::all && part != SurfacePart::colors)
-        unasked |= scene::kTextures | scene::kEmissive;
+        unasked |= scene::kTextures | scene::kEmissive | scene::kOcclusionTextures;
+    if (part == SurfacePart::smooth) unasked |= scene::kRoughnessTextures;
     kernels_->find_surfaces[uint32_t(part)](*snapshot_, features_ & ~unasked, space_, hits,
                                             scratch.surface);
 }
@@ -27,12 +28,25 @@ void Shader::gather_light(const RayHits& hits, Scratch& scratch, BatchMarks* mar
     if (spares) programs_.turn_back(scratch);
 }
 
+// What textures hide, they hide of what rays found to arrive.
+void Shader::apply_occlusion_textures(uint32_t count, Scratch& scratch) const {
+    const float* const texture = scratch.surface.occlusion;
+    float* const openness = scratch.light.openness;
+    if (finds_openness())
+        for (uint32_t i = 0; i < count; ++i) openness[i] *= texture[i];
+    else
+        std::copy_n(texture, count, openness);
+}
+
 void Shader::find_radiance(const RayHits& hits, float* const radiance[3], Scratch& scratch,
                            const AskedRays* rays) const {
     const bool emissive = features_ & scene::kEmissive;
-    kernels_->find_radiance[finds_openness()][emissive][uint32_t(program_)](
+    const bool has_textures = features_ & scene::kOcclusionTextures;
+    if (has_textures) apply_occlusion_textures(hits.count, scratch);
+    const bool opens = finds_openness() || has_textures;
+    kernels_->find_radiance[opens][emissive][uint32_t(program_)](
         scratch.surface, scratch.light, hits, snapshot_->environment, radiance);
-    if (has_programs()) programs_.run(hits, radiance, scratch, finds_openness(), rays);
+    if (has_programs()) programs_.run(hits, radiance, scratch, opens, rays);
 }
 
 void Shader::take_openness(const RayHits& hits, const float* openness, Scratch& scratch) const {

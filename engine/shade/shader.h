@@ -71,6 +71,8 @@ public:
     Program program() const { return program_; }
 
 private:
+    void apply_occlusion_textures(uint32_t count, Scratch& scratch) const;
+
     const scene::Snapshot* snapshot_;
     const Kernels* kernels_;
     SurfaceSpace space_;

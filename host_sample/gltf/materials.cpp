@@ -11,8 +11,6 @@ namespace host::gltf {
 
 namespace {
 
-constexpr float fallback_roughness = 0.7f;
-
 glm::vec3 read_color(const std::vector<double>& values, glm::vec3 otherwise) {
     if (values.size() < 3) return otherwise;
     return {to_factor(values[0]), to_factor(values[1]), to_factor(values[2])};
@@ -25,19 +23,25 @@ float to_shininess(float roughness) {
     return std::clamp(2.0f / (alpha * alpha) - 2.0f, 1.0f, 512.0f);
 }
 
-// The engine's highlight is not normalised: a wide lobe at full reflectance would flood the
-// surface with light, so rough ones fade.
+// A wide lobe at full reflectance would flood the surface with light, so rough ones fade. The
+// engine does the same with textures.
 float highlight_strength(float roughness) {
     return 1.0f - 0.8f * std::min(roughness, 1.0f);
 }
 
-Surface read_surface(const tinygltf::PbrMetallicRoughness& source, Notes& notes) {
-    if (source.metallicRoughnessTexture.index < 0)
-        return {std::min(to_factor(source.metallicFactor), 1.0f),
-                std::min(to_factor(source.roughnessFactor), 1.0f)};
-    // Its factors default to 1 and mean nothing without it: all would be metal.
-    notes.add("metallic-roughness textures are ignored: such surfaces are rough and not metal");
-    return {0.0f, fallback_roughness};
+// What is metal or rough in the mean: mirrors and glass have no textures.
+Surface read_surface(const Textures& textures, const Material& material) {
+    const glm::vec3 mean = textures.mean(material.roughness_texture);
+    return {material.metalness * mean.z, material.roughness * mean.y};
+}
+
+void apply_roughness_texture(const tinygltf::PbrMetallicRoughness& source, Textures& textures,
+                             Material& material) {
+    const tinygltf::TextureInfo& texture = source.metallicRoughnessTexture;
+    material.roughness_texture =
+        textures.use(texture.index, texture.texCoord, texture.extensions, false);
+    material.metalness = std::min(to_factor(source.metallicFactor), 1.0f);
+    material.roughness = std::min(to_factor(source.roughnessFactor), 1.0f);
 }
 
 void apply_metallic_roughness(const Surface& surface, const glm::vec3& dielectric,
@@ -46,12 +50,24 @@ void apply_metallic_roughness(const Surface& surface, const glm::vec3& dielectri
     const glm::vec3 base(material.base_color);
     const glm::vec3 reflectance = glm::mix(dielectric, base, metallic);
     const float polish = find_polish(surface);
+    mirror(reflectance * polish, material);
+    if (material.roughness_texture.texture != no_index) {
+        material.specular = dielectric; // the engine does the rest, texel by texel
+        return;
+    }
     material.specular = reflectance * highlight_strength(roughness);
     material.shininess = to_shininess(roughness);
-    mirror(reflectance * polish, material);
     // Not to black where it mirrors nothing.
     const float left = 1.0f - glm::mix(0.5f, 1.0f, polish) * metallic;
     material.base_color = glm::vec4(base * left, material.base_color.a);
+}
+
+void apply_occlusion(const tinygltf::OcclusionTextureInfo& source, Textures& textures,
+                     Material& material) {
+    material.occlusion_strength = std::min(to_factor(source.strength), 1.0f);
+    if (material.occlusion_strength == 0.0f) return;
+    material.occlusion_texture =
+        textures.use(source.index, source.texCoord, source.extensions, false);
 }
 
 void apply_alpha(const tinygltf::Material& source, Material& material) {
@@ -74,6 +90,7 @@ void apply_emission(const tinygltf::Material& source, Textures& textures, Materi
 
 // KHR_materials_unlit: the base colour, whatever the light.
 void make_unlit(Material& material) {
+    material.unlit = true;
     material.emissive = glm::vec3(material.base_color);
     material.emissive_texture = material.base_color_texture;
     material.base_color = glm::vec4(0.0f, 0.0f, 0.0f, material.base_color.a);
@@ -94,12 +111,13 @@ Material import_material(const tinygltf::Material& source, Textures& textures, N
         textures.use(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord,
                      pbr.baseColorTexture.extensions, true);
     apply_alpha(source, material);
-    if (source.occlusionTexture.index >= 0) notes.add("occlusion textures are ignored");
     if (find_extension(source.extensions, "KHR_materials_unlit")) {
         make_unlit(material);
         return material;
     }
-    const Surface surface = read_surface(pbr, notes);
+    apply_occlusion(source.occlusionTexture, textures, material);
+    apply_roughness_texture(pbr, textures, material);
+    const Surface surface = read_surface(textures, material);
     apply_metallic_roughness(surface, read_dielectric(source.extensions, notes), material);
     apply_transmission(source.extensions, surface, material, notes);
     apply_emission(source, textures, material);

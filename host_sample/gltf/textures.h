@@ -19,6 +19,9 @@ public:
     TextureUse use(int texture, int texcoord_set, const tinygltf::ExtensionMap& extensions,
                    bool srgb);
 
+    // Of a linear texture's texels, 0 to 1; 1 without one.
+    glm::vec3 mean(const TextureUse& use) const;
+
 private:
     uint32_t open_image(int texture);
     uint32_t find_or_add(const Texture& texture);

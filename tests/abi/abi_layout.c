@@ -130,6 +130,12 @@ static void print_looks(void) {
     FIELD(rt_material_desc, thin);
     FIELD(rt_material_desc, reserved);
     FIELD(rt_material_desc, program);
+    FIELD(rt_material_desc, occlusion_texture);
+    FIELD(rt_material_desc, roughness_texture);
+    FIELD(rt_material_desc, occlusion_strength);
+    FIELD(rt_material_desc, roughness);
+    FIELD(rt_material_desc, metalness);
+    FIELD(rt_material_desc, reserved2);
 }
 
 static void print_shapes(void) {

@@ -122,6 +122,11 @@ TEST_F(BadField, MaterialFloats) {
         AT(M, base_color_texture.transform[5]),
         AT(M, normal_texture.transform[2]),
         AT(M, emissive_texture.transform[4]),
+        AT(M, occlusion_texture.transform[1]),
+        AT(M, roughness_texture.transform[3]),
+        AT(M, occlusion_strength),
+        AT(M, roughness),
+        AT(M, metalness),
     };
     spoil_floats<M>(rt_default_material_desc(), offsets, [&](const M& bad) {
         auto out = kUntouched<rt_material>;
@@ -164,6 +169,16 @@ TEST_F(BadField, Material) {
         {[](auto& d) { d.thin = 2; }, RT_ERROR_INVALID_ARGUMENT, "rt_material_desc.thin is 2"},
         {[](auto& d) { d.reserved = 1; }, RT_ERROR_INVALID_ARGUMENT,
          "rt_material_desc.reserved is 1"},
+        {[](auto& d) { d.occlusion_texture.texcoord_set = 2; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.occlusion_texture.texcoord_set is 2"},
+        {[](auto& d) { d.occlusion_strength = -1; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.occlusion_strength is -1; it must be 0 to 1"},
+        {[](auto& d) { d.roughness = 2; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.roughness is 2"},
+        {[](auto& d) { d.metalness = 1.5f; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.metalness is 1.5"},
+        {[](auto& d) { d.reserved2 = 7; }, RT_ERROR_INVALID_ARGUMENT,
+         "rt_material_desc.reserved2 is 7"},
     };
     for (const C& c : cases) {
         rt_material_desc desc = rt_default_material_desc();

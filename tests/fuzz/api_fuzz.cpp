@@ -193,12 +193,15 @@ private:
             desc.thin = random_.below(2);
         }
         for (rt_texture_use* use :
-             {&desc.base_color_texture, &desc.normal_texture, &desc.emissive_texture}) {
+             {&desc.base_color_texture, &desc.normal_texture, &desc.emissive_texture,
+              &desc.occlusion_texture, &desc.roughness_texture}) {
             if (random_.one_in(2)) continue;
             use->texture = random_.pick(textures_);
             use->texcoord_set = random_.below(2);
             for (float& value : use->transform) value = random_.number();
         }
+        for (float* value : {&desc.occlusion_strength, &desc.roughness, &desc.metalness})
+            *value = random_.unit();
         if (random_.one_in(3)) {
             desc.program = random_.pick(programs_);
             if (!random_.one_in(9)) desc.reflectivity = desc.transmission = 0;

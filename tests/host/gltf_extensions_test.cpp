@@ -65,12 +65,6 @@ TEST(GltfExtensions, WhatIsSupportedOrNobodysIsNotNoted) {
     EXPECT_TRUE(import(builder).notes.empty());
 }
 
-TEST(GltfExtensions, OcclusionTexturesAreNoted) {
-    GltfBuilder builder = make_quad();
-    builder.push("materials", {{"occlusionTexture", {{"index", 0}}}});
-    EXPECT_EQ(count_notes(import(builder), "occlusion textures"), 1u);
-}
-
 TEST(GltfExtensions, AllThatIsRequiredAndLackingIsNamed) {
     GltfBuilder builder = make_quad();
     builder.json["extensionsRequired"] = {"KHR_texture_basisu", "KHR_texture_transform",

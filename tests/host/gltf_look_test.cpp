@@ -42,6 +42,48 @@ GltfBuilder make_textured(const std::vector<uint8_t>& image, const Json& materia
 
 const Json base_texture = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}};
 
+// make_png's: 128 / 255 everywhere.
+TEST(GltfLook, MetallicRoughnessAndOcclusionTextures) {
+    constexpr float half = 128.0f / 255.0f;
+    Json material = {{"pbrMetallicRoughness",
+                      {{"baseColorFactor", {0.5, 1, 0.25, 1}},
+                       {"metallicFactor", 0.5},
+                       {"roughnessFactor", 0.25},
+                       {"metallicRoughnessTexture", {{"index", 0}, {"texCoord", 1}}}}},
+                     {"occlusionTexture", {{"index", 0}, {"strength", 0.75}}}};
+    const Level level = import(make_textured(make_png(4, 2, 3), material));
+    EXPECT_TRUE(level.notes.empty());
+    ASSERT_EQ(level.textures.size(), 1u);
+    EXPECT_FALSE(level.textures[0].srgb);
+    const Material& worn = level.materials[0];
+    EXPECT_EQ(worn.roughness_texture.texture, 0u);
+    EXPECT_EQ(worn.roughness_texture.texcoord_set, 1u);
+    EXPECT_EQ(worn.occlusion_texture.texture, 0u);
+    EXPECT_EQ(worn.occlusion_strength, 0.75f);
+    EXPECT_EQ(worn.metalness, 0.5f);
+    EXPECT_EQ(worn.roughness, 0.25f);
+    EXPECT_EQ(glm::vec3(worn.base_color), glm::vec3(0.5f, 1, 0.25f)) << "the engine darkens metals";
+    EXPECT_EQ(worn.specular, glm::vec3(0.04f));
+    // What mirrors does so by the mean: 1 - roughness / limit of the reflectance.
+    const float metallic = 0.5f * half, limit = 0.1f + 0.15f * metallic;
+    const float green = 0.04f + (1 - 0.04f) * metallic;
+    EXPECT_NEAR(worn.reflectivity, green * std::max(0.0f, 1 - 0.25f * half / limit), 1e-6f);
+
+    material["occlusionTexture"]["strength"] = 0;
+    EXPECT_EQ(
+        import(make_textured(make_png(1, 1, 1), material)).materials[0].occlusion_texture.texture,
+        no_index);
+}
+
+// Its factors alone mean what they did.
+TEST(GltfLook, WithoutATextureNothingIsWorn) {
+    GltfBuilder builder = make_quad();
+    builder.json["materials"] = {{{"pbrMetallicRoughness", {{"roughnessFactor", 0.5}}}}};
+    const Level level = import(builder);
+    EXPECT_EQ(level.materials[0].roughness_texture.texture, no_index);
+    EXPECT_FLOAT_EQ(level.materials[0].shininess, 30);
+}
+
 TEST(GltfLook, ImagesBecomeRgba) {
     for (const int channels : {1, 2, 3, 4}) {
         const Level level = import(make_textured(make_png(3, 2, channels), base_texture));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "emissive_lamps.h"
 #include "gltf/import.h"
 #include "gltf_builder.h"
 #include "plugin.h"
@@ -28,7 +29,10 @@ protected:
         const Json shown = {{"KHR_lights_punctual", {{"light", 0}}}};
         const int lamp = builder.push("nodes", {{"extensions", shown}, {"translation", place}});
         builder.json["scenes"][0]["nodes"] = {0, lamp};
-        const Level level = gltf::import_bytes(builder.glb(), "test", "");
+        return lux(gltf::import_bytes(builder.glb(), "test", ""));
+    }
+
+    double lux(const Level& level) {
         upload_level(stage, level, 0.0f);
         stage.commit(RT_STRUCTURE_AUTO, RT_BUILD_BALANCED, nullptr);
         Viewpoint eye;
@@ -53,6 +57,37 @@ protected:
     Stage stage;
     GltfBuilder builder;
 };
+
+// A box that glows, over the plate: what it is made of does not shadow its lamps.
+TEST_F(LampsOnEngine, WhatGlowsDoesNotShadowItsLamps) {
+    Level level = gltf::import_bytes(builder.glb(), "test", "");
+    const auto glow = static_cast<uint32_t>(level.materials.size());
+    level.materials.emplace_back().emissive = glm::vec3(80.0f);
+    Mesh& box = level.meshes.emplace_back();
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-0.05f, 0.05f}) {
+            glm::vec3 w(0), u(0), v(0);
+            w[axis] = side;
+            u[(axis + 1) % 3] = 0.05f;
+            v[(axis + 2) % 3] = side;
+            for (const glm::vec3& corner : {-u - v, u - v, u + v, -u - v, u + v, v - u}) {
+                box.indices.push_back(static_cast<uint32_t>(box.positions.size()));
+                box.positions.push_back(glm::vec3(0.6f, 2.2f, 0.3f) + w + corner);
+            }
+            box.materials.insert(box.materials.end(), 2, glow);
+        }
+    level.lights = find_emissive_lamps(level, 16).lights;
+    ASSERT_EQ(level.lights.size(), 6u);
+    double expected = 0;
+    for (const Light& light : level.lights) {
+        const glm::dvec3 way = glm::dvec3(0, 1, 0) - light.position;
+        const double distance = glm::length(way);
+        const double s = std::max(glm::dot(glm::dvec3(light.direction), way) / distance, 0.0);
+        expected += static_cast<double>(light.intensity.x) * s * s * (3 - 2 * s) * -way.y
+                    / (distance * distance * distance);
+    }
+    EXPECT_NEAR(lux(level), expected, 2e-3 * expected);
+}
 
 TEST_F(LampsOnEngine, WithoutARangeTheyHaveNoEnd) {
     const double square = 4.08 * 4.08 + 4.9 * 4.9 + 1.01 * 1.01;

@@ -51,6 +51,7 @@ TEST_F(OptionsTest, ReadsValues) {
     EXPECT_EQ(parsed.options->time, 1.5);
     EXPECT_EQ(parsed.options->time_step, 0.0);
     EXPECT_EQ(parse({"--light-block", "8"}).options->light_block, 8u);
+    EXPECT_EQ(parse({"--emissive-lamps", "40"}).options->emissive_lamps, 40u);
     const auto occlusion = parse({"--occlusion", "1.5", "--occlusion-block", "1"});
     EXPECT_EQ(occlusion.options->occlusion_range, 1.5f);
     EXPECT_EQ(occlusion.options->occlusion_block, 1u);
@@ -68,6 +69,7 @@ TEST_F(OptionsTest, MistakesGetASentenceAndStatusTwo) {
              {"--size", "64"},
              {"--light-block", "7"},
              {"--occlusion", "-1"},
+             {"--emissive-lamps", "-1"},
              {"--occlusion-block", "2"},
              {"--bloom", "2"},
              {"--fog-lamps", "1.5"},

@@ -117,6 +117,8 @@ def render(mi, scene, folder, samples):
         shape = {"type": "ply", "filename": str(path), "face_normals": True}
         shape.update(surface(materials[mesh["material"]], outer))
         world[f"mesh_{number}"] = shape
+    if scene["ambient"] > 0:
+        world["sky"] = {"type": "constant", "radiance": rgb([scene["ambient"]] * 3)}
     for number, description in enumerate(scene["lamps"]):
         world[f"lamp_{number}"] = lamp(mi, description)
     return numpy.array(mi.render(mi.load_dict(world)))[:, :, :3]

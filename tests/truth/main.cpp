@@ -70,7 +70,7 @@ public:
         for (const Mesh& mesh : scene.meshes) add(mesh);
         for (const Lamp& lamp : scene.lamps) add(lamp);
         rt_environment environment = rt_default_environment();
-        copy({0, 0, 0}, environment.ambient);
+        std::fill_n(environment.ambient, 3, scene.ambient);
         stage_.check(api.set_environment(stage_.scene(), &environment), "the environment");
         stage_.commit(RT_STRUCTURE_AUTO, RT_BUILD_BALANCED, nullptr);
     }
@@ -86,6 +86,11 @@ public:
         frame.width = frame.height = kLarge;
         frame.max_depth = scene_.max_depth;
         frame.least_importance = 0;
+        if (scene_.ambient > 0) {
+            frame.occlusion_range = INFINITY;
+            frame.occlusion_samples = 256;
+            frame.occlusion_block = 1;
+        }
         const rt_camera camera = look();
         stage_.check(api_.render_frame(stage_.scene(), &camera, &frame, nullptr), "a frame");
         for (size_t y = 0; y < kLarge; ++y)
@@ -160,6 +165,7 @@ nlohmann::json to_json(const Scene& scene) {
             {"target", scene.target},
             {"vertical_fov", scene.vertical_fov},
             {"max_depth", scene.max_depth},
+            {"ambient", scene.ambient},
             {"side", kSide}};
 }
 

@@ -165,11 +165,20 @@ Scene panes() {
     return scene;
 }
 
+// Under a sky that is white all around.
+Scene lit_from_everywhere() {
+    Scene scene = lit_by("openness", "white light from everywhere, and what keeps it out", 0);
+    scene.lamps.clear();
+    scene.ambient = 1;
+    return scene;
+}
+
 } // namespace
 
 std::vector<Scene> scenes() {
     return {lit_by("point", "the shadows of a point light", 0),
             lit_by("sphere", "the soft shadows of a sphere of 15 cm", 0.15f),
+            lit_from_everywhere(),
             mirrors(),
             slabs(),
             prism(),

@@ -40,6 +40,7 @@ struct Scene {
     Vec3 eye{0, 0, 0}, target{0, 0, -1};
     float vertical_fov = 0.8f;
     uint32_t max_depth = 16; // bounces
+    float ambient = 0;       // white light from everywhere, which surfaces keep from each other
 };
 
 std::vector<Scene> scenes();

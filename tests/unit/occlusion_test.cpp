@@ -74,6 +74,31 @@ float openness_at(WhiteWorld& world, const Vec3d& place, const Occlusion& occlus
     return take(world, camera, occlusion, 1, 1).at(0, 0).x;
 }
 
+// The mean error of what half planes cut off the disc below the rays.
+double mean_error(const shade::OpenRays& rays) {
+    constexpr int kTurns = 200, kOffsets = 37;
+    double sum = 0;
+    for (int i = 0; i < kTurns; ++i)
+        for (int j = 0; j < kOffsets; ++j) {
+            const double angle = 2 * 3.14159265358979 * i / kTurns, d = 0.05 * (j - 18);
+            const double part = (std::acos(d) - d * std::sqrt(1 - d * d)) / 3.14159265358979;
+            int count = 0;
+            for (const shade::OpenRay& ray : rays.all())
+                count += ray.direction.x * std::cos(angle) + ray.direction.y * std::sin(angle) > d;
+            sum += std::fabs(count / double(rays.all().size()) - part);
+        }
+    return sum / (kTurns * kOffsets);
+}
+
+// Rays of all lengths keep places for these, which makes them less even on the disc.
+TEST(Occlusion, EndlessRaysAreEvener) {
+    for (const auto& [count, error] : {std::pair{16u, 0.04}, {64u, 0.012}, {256u, 0.004}}) {
+        const double endless = mean_error(shade::OpenRays(count, false));
+        EXPECT_LT(endless, error) << count;
+        EXPECT_LT(endless, 0.8 * mean_error(shade::OpenRays(count, true))) << count;
+    }
+}
+
 TEST(Occlusion, AnOpenPlaneGetsAllOfIt) {
     WhiteWorld world;
     world.add_floor();

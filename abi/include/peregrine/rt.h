@@ -384,6 +384,15 @@ typedef struct rt_material_desc {
     rt_program program; /* null: none. Else what the surface shows is what the program says, and
                            reflectivity and transmission must be 0: it asks for rays itself. Masks
                            cut out, and RT_ALPHA_BLEND scales all that it says by alpha */
+    /* Numbers, not colours: textures of a linear format. glTF keeps both in one image. */
+    rt_texture_use occlusion_texture; /* red: the part of the ambient light that arrives */
+    rt_texture_use roughness_texture; /* green: roughness, blue: metalness. With it `shininess` is
+                                         not read; `specular` is the reflectance of what is not
+                                         metal, base_color that of metals */
+    float occlusion_strength;         /* 0 to 1: ambient light times 1 + strength (red - 1) */
+    float roughness;                  /* 0 to 1: times green, and ... */
+    float metalness;                  /* ... times blue; both without meaning without the texture */
+    uint32_t reserved2;               /* 0 */
 } rt_material_desc;
 
 static inline rt_texture_use rt_default_texture_use(void) {
@@ -407,6 +416,9 @@ static inline rt_material_desc rt_default_material_desc(void) {
     desc.reflection_color[0] = desc.reflection_color[1] = desc.reflection_color[2] = 1.0f;
     desc.index_of_refraction = 1.5f;
     desc.attenuation_color[0] = desc.attenuation_color[1] = desc.attenuation_color[2] = 1.0f;
+    desc.occlusion_texture = rt_default_texture_use();
+    desc.roughness_texture = rt_default_texture_use();
+    desc.occlusion_strength = desc.roughness = desc.metalness = 1.0f;
     return desc;
 }
 
@@ -774,7 +786,9 @@ enum {
     RT_FEATURE_FOG = 1u << 13,
     RT_FEATURE_PROGRAMS = 1u << 14,
     RT_FEATURE_PROGRAM_RAYS = 1u << 15, /* one of them may ask for rays */
-    RT_FEATURE_AIRLIGHT = 1u << 16      /* light that fog scatters: rt_light_desc.fog_scatter */
+    RT_FEATURE_AIRLIGHT = 1u << 16,     /* light that fog scatters: rt_light_desc.fog_scatter */
+    RT_FEATURE_OCCLUSION_TEXTURES = 1u << 17,
+    RT_FEATURE_ROUGHNESS_TEXTURES = 1u << 18
 };
 
 typedef struct rt_commit_report {

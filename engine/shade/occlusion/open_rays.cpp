@@ -8,8 +8,16 @@ namespace {
 using math::Vec3;
 
 // Turns and lengths go on by 1 / p and 1 / p^2, p^3 = p + 1.
-constexpr double kCosine = 0.030642483513659977, kSine = -0.9995304088441307; // of 1 / p turns
+struct Turn {
+    double cosine, sine;
+};
+constexpr Turn kTurn{0.030642483513659977, -0.9995304088441307}; // 1 / p
 constexpr double kLengthStep = 0.5698402909980532;
+
+// Where lengths do not count, by the golden ratio, which is the farthest from all fractions: 1 / p
+// is near 37 / 49, and so leaves spiral arms (Vogel, "A better way to construct the sunflower
+// head", 1979).
+constexpr Turn kGoldenTurn{-0.7373688780783197, -0.6754902942615238};
 
 // Whom the frames turn with.
 constexpr Vec3 kPole{-19.0f / 39, 26.0f / 39, 22.0f / 39};
@@ -20,15 +28,16 @@ constexpr float kOpposite = -0.99f; // cosine: nearer to that, as opposite norma
 } // namespace
 
 // Even on a disc, and from there up to the half of a sphere (Malley's method).
-OpenRays::OpenRays(uint32_t count) : count_(count) {
+OpenRays::OpenRays(uint32_t count, bool has_end) : count_(count) {
+    const Turn turn = has_end ? kTurn : kGoldenTurn;
     double cosine = 1, sine = 0, at = 0.5, places[kMostOpenRays];
     for (uint32_t k = 0; k < count; ++k) {
         const double square = (k + 0.5) / count, radius = std::sqrt(square);
         rays_[k].direction = {float(radius * cosine), float(radius * sine),
                               float(std::sqrt(1 - square))};
         places[k] = at;
-        const double turned = cosine * kCosine - sine * kSine;
-        sine = cosine * kSine + sine * kCosine;
+        const double turned = cosine * turn.cosine - sine * turn.sine;
+        sine = cosine * turn.sine + sine * turn.cosine;
         cosine = turned;
         at += kLengthStep;
         at -= std::floor(at);

@@ -21,7 +21,8 @@ inline constexpr uint32_t kMostOpenRays = 256;
 // same bits everywhere.
 class OpenRays {
 public:
-    explicit OpenRays(uint32_t count);
+    // Without `has_end` the range is infinite, and so are all lengths.
+    explicit OpenRays(uint32_t count, bool has_end = true);
 
     std::span<const OpenRay> all() const { return {rays_, count_}; }
 

@@ -3,12 +3,13 @@
 #include "shade/surface/ray_hits.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace peregrine::shade {
 
 Openness::Openness(const scene::Snapshot& snapshot, const SurfaceSpace& space, float range,
                    uint32_t samples)
-    : shadows_(snapshot, space), range_(range), rays_(samples) {}
+    : shadows_(snapshot, space), range_(range), rays_(samples, std::isfinite(range)) {}
 
 void Openness::find(const RayHits& hits, const Surface& surface, ShadowMemory& shadow,
                     OpennessMemory& memory, float* openness) const {

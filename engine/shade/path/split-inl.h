@@ -66,7 +66,9 @@ struct Split {
         : material(material_), from_within(material_.is_solid() && back_face) {
         const bool is_matt =
             material.transmission < 1 && math::Vec3(material.base_color) != math::Vec3(0);
-        is_lit = is_matt || (material.specular != math::Vec3(0) && !from_within);
+        const bool shines =
+            material.specular != math::Vec3(0) || material.roughness_texture.texture;
+        is_lit = is_matt || (shines && !from_within);
     }
 
     // The rays of one vector, `mask` of them.

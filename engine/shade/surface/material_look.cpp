@@ -26,6 +26,8 @@ void MaterialLook::look_at(const scene::Material& material_, uint32_t features) 
     add(material->base_color_texture, features & scene::kTextures, color);
     add(material->normal_texture, features & scene::kNormalMaps, normal);
     add(material->emissive_texture, features & scene::kEmissive, emissive);
+    add(material->occlusion_texture, features & scene::kOcclusionTextures, occlusion);
+    add(material->roughness_texture, features & scene::kRoughnessTextures, roughness);
     if (!(features & scene::kSpecular) || shininess == material->shininess) return;
     shininess = material->shininess;
     highlight_gain = shade::highlight_gain(shininess);

@@ -15,9 +15,11 @@ struct MaterialLook {
         uint32_t place = 0;
     };
 
+    static constexpr uint32_t kMostPlaces = 5;
+
     const scene::Material* material = nullptr;
-    Sampled color, normal, emissive;
-    const scene::TextureUse* places[3]; // that are different
+    Sampled color, normal, emissive, occlusion, roughness;
+    const scene::TextureUse* places[kMostPlaces]; // that are different
     uint32_t place_count = 0;
     float shininess = -1;     // of the material, if specular; it and ...
     float highlight_gain = 0; // ... highlight_gain() of it are kept from material to material

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/box.h"
+#include "shade/surface/material_look.h"
 
 #include <cstdint>
 
@@ -38,6 +39,7 @@ struct alignas(64) Surface {
     Lanes albedo[3];
     Lanes specular[3]; // with kSpecular
     Lanes emissive[3]; // with kEmissive
+    Lanes occlusion;   // what is left of ambient light; with kOcclusionTextures
 
     // On the way there. Of look.places: texture coordinates, and what a ray's pixel covers in them,
     // as the matrix whose eigenvalues are the squares of an ellipse's axes.
@@ -45,7 +47,7 @@ struct alignas(64) Surface {
         Lanes u, v;
         Lanes uu, uv, vv; // if RayHits has a footprint
     };
-    Place places[3];
+    Place places[MaterialLook::kMostPlaces];
     Lanes tangent[3]; // where there is a normal map: the interpolated one, and the sign of ...
     Lanes side;       // ... the bitangent
 

@@ -10,6 +10,7 @@
 #include "shade/surface/coordinates-inl.h"
 #include "shade/surface/geometry-inl.h"
 #include "shade/surface/runs-inl.h"
+#include "shade/surface/wear-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace peregrine::shade::HWY_NAMESPACE {
@@ -27,6 +28,7 @@ HWY_INLINE void miss(uint32_t features, Run run, Surface& out) {
     fill(zero, run, out.albedo);
     if (features & scene::kEmissive) fill(zero, run, out.emissive);
     if (features & scene::kSpecular) fill(zero, run, out.specular);
+    if (features & scene::kOcclusionTextures) fill(1.0f, run, out.occlusion);
 }
 
 // What is the same for all rays: unit normals, and what follows from them.
@@ -95,6 +97,10 @@ HWY_INLINE void finish_span(const MaterialLook& look, uint32_t features, const R
         if (look.normal.texture) map_normals(look, by_footprint, span, out);
     if constexpr (Part != SurfacePart::geometry)
         find_colors(look, features, by_footprint, span, out);
+    if (look.roughness.texture) find_roughness<Part>(look, features, by_footprint, span, out);
+    if constexpr (Part != SurfacePart::geometry)
+        if ((features & scene::kOcclusionTextures) && !has_both(look))
+            find_occlusion(look, by_footprint, span, out);
 }
 
 // Neighbouring rays mostly hit the same triangle, and yet more often see the same material. A

@@ -18,7 +18,8 @@ struct TriangleShading {
     math::Vec3 tangent[3]; // if look.normal
     float handedness;      // the bitangent is this, 1 or -1, times cross(normal, tangent)
     MaterialLook look;
-    math::Vec2 texcoord[3][3]; // of look.places: what their transforms make of the three vertices
+    math::Vec2 texcoord[MaterialLook::kMostPlaces]
+                       [3]; // of look.places: what their transforms make of the three vertices
 };
 
 // Gathers what `features` (scene::Feature bits) ask for; the rest is left unset.
