@@ -116,6 +116,9 @@ void read_tail(const rt_frame_desc& in, render::Frame& frame) {
         base::fail(base::Code::invalid_argument,
                    "rt_frame_desc.airlight_block is %u; it must be 0, 1, 2 or 4", block);
     frame.airlight_block = block;
+    require_flag(in.tinted_shadows, "rt_frame_desc.tinted_shadows");
+    frame.tinted_shadows = in.tinted_shadows != 0;
+    require_zero(in.reserved, "rt_frame_desc.reserved");
     require_flag(in.measure_luminance, "rt_frame_desc.measure_luminance");
     frame.measures_luminance = in.measure_luminance != 0;
 }

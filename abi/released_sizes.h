@@ -44,7 +44,7 @@ PEREGRINE_RELEASED(rt_sweep_desc, 64);
 PEREGRINE_RELEASED(rt_overlap_desc, 80);
 PEREGRINE_RELEASED(rt_nearest_desc, 64);
 PEREGRINE_RELEASED(rt_camera, 56);
-PEREGRINE_RELEASED(rt_frame_desc, 120, 128, 160, 168, 192, 232, 240);
+PEREGRINE_RELEASED(rt_frame_desc, 120, 128, 160, 168, 192, 232, 240, 248);
 PEREGRINE_RELEASED(rt_frame_stats, 40, 56, 64, 80, 88, 104, 112);
 PEREGRINE_RELEASED(rt_governor, 184);
 PEREGRINE_RELEASED(rt_exposure, 32);

@@ -39,6 +39,7 @@ public:
           tile_openness_(plan_.shader.finds_openness() ? workers_.size() : 0, memory),
           program_memory_(plan_.shader.has_programs() ? workers_.size() : 0, memory),
           airlight_(plan_.airlight.any() ? workers_.size() : 0, memory),
+          tints_(plan_.shader.tints_light() ? workers_.size() : 0, memory),
           luminance_(frame.counts_luminance() ? workers_.size() : 0, memory),
           light_room_(plan_.shader.light_choice().make_room(uint32_t(workers_.size()), memory)),
           path_room_(plan_, workers_.size(), memory),
@@ -59,6 +60,7 @@ public:
                 workers_[i].scratch.airlight = &airlight_[i];
                 plan_.airlight.begin(plan_.eye, airlight_[i]);
             }
+            if (!tints_.empty()) workers_[i].scratch.tints = &tints_[i];
             if (!luminance_.empty()) workers_[i].luminance = &luminance_[i];
             begin_primary_rays(plan_, workers_[i]);
         });
@@ -192,6 +194,7 @@ private:
     base::Vector<shade::TileOpenness> tile_openness_;   // of each worker
     base::Vector<shade::ProgramMemory> program_memory_; // of each worker
     base::Vector<shade::AirlightMemory> airlight_;      // of each worker
+    base::Vector<shade::TintMemory> tints_;             // ... if light is tinted
     base::Vector<post::LuminanceCounts> luminance_;     // of each worker
     shade::LightRoom light_room_;
     PathRoom path_room_;

@@ -101,6 +101,7 @@ struct Frame {
     float depth_range = 50;
     float steps_range = 100;
     bool shadows = true;
+    bool tinted_shadows = false;
     Plane depth;        // float: t, which is the distance along `forward` (see Pinhole)
     Plane triangle_ids; // uint32_t
     Plane mesh_ids;     // base::Handle

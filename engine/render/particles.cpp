@@ -20,7 +20,7 @@ constexpr float kJustBelowOne = 1 - 0x1p-12f; // a surface that it touches doesn
 trace::Filter filter_of(const Plan& plan) {
     trace::Filter filter = plan.filter;
     filter.alpha = scene::light_test(plan.snapshot);
-    filter.of_light = true;
+    filter.asks = trace::Asks::light;
     return filter;
 }
 

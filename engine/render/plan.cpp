@@ -72,6 +72,9 @@ shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera,
                          unseen_light(snapshot, frame));
     if (sees_occlusion(snapshot, frame))
         shader.occlude_ambient_light(frame.occlusion.range, frame.occlusion.samples);
+    if (frame.tinted_shadows && !lights.empty()
+        && (snapshot.features & scene::kLightPassingFeatures))
+        shader.tint_light();
     return shader;
 }
 

@@ -33,13 +33,24 @@ bool present_among_glass_at(const Snapshot& snapshot, uint32_t slot, uint32_t pr
            || present_at(snapshot, slot, primitive, u, v);
 }
 
-bool blocks_light_at(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u,
-                     float v) {
+// How much of the light a surface keeps, but for what it mirrors.
+float cover_at(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u, float v) {
     const Snapshot::Mesh& mesh = snapshot.meshes[slot];
     const Material& material = snapshot.material_of(mesh, primitive);
-    float covers = 1.0f - material.transmission;
-    if (material.is_translucent()) covers *= alpha_at(*mesh.data, material, primitive, u, v);
-    return covers >= 0.5f && present_among_glass_at(snapshot, slot, primitive, u, v);
+    const float covers = 1.0f - material.transmission;
+    return material.is_translucent() ? covers * alpha_at(*mesh.data, material, primitive, u, v)
+                                     : covers;
+}
+
+bool blocks_light_at(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u,
+                     float v) {
+    return cover_at(snapshot, slot, primitive, u, v) >= 0.5f
+           && present_among_glass_at(snapshot, slot, primitive, u, v);
+}
+
+bool is_opaque_at(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u, float v) {
+    return cover_at(snapshot, slot, primitive, u, v) >= 1.0f
+           && present_among_glass_at(snapshot, slot, primitive, u, v);
 }
 
 using AskAt = bool (*)(const Snapshot& snapshot, uint32_t slot, uint32_t primitive, float u,
@@ -79,6 +90,16 @@ trace::AlphaTest light_test(const Snapshot& snapshot) {
 trace::AlphaTest light_test(const InstanceAlpha& instance) {
     if (!(instance.snapshot->features & kLightPassingFeatures)) return alpha_test(instance);
     return {ask_in_instance<blocks_light_at>, &instance};
+}
+
+trace::AlphaTest opacity_test(const Snapshot& snapshot) {
+    if (!(snapshot.features & kLightPassingFeatures)) return alpha_test(snapshot);
+    return {ask<is_opaque_at>, &snapshot};
+}
+
+trace::AlphaTest opacity_test(const InstanceAlpha& instance) {
+    if (!(instance.snapshot->features & kLightPassingFeatures)) return alpha_test(instance);
+    return {ask_in_instance<is_opaque_at>, &instance};
 }
 
 } // namespace peregrine::scene

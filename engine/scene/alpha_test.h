@@ -16,4 +16,8 @@ trace::AlphaTest alpha_test(const InstanceAlpha& instance);
 trace::AlphaTest light_test(const Snapshot& snapshot);
 trace::AlphaTest light_test(const InstanceAlpha& instance);
 
+// Whether no light at all gets through: for shadow rays that are tinted by what they pass.
+trace::AlphaTest opacity_test(const Snapshot& snapshot);
+trace::AlphaTest opacity_test(const InstanceAlpha& instance);
+
 } // namespace peregrine::scene

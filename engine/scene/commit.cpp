@@ -16,6 +16,20 @@ bool is_usable(const accel::instances::Extent& extent) {
            && extent.margin <= 1e30f;
 }
 
+// The box is kept until the mesh or a material changes.
+const math::Box& bounds_of_light_passing(ShownMaterials& shown, const MaterialSet& set,
+                                         const MeshData& mesh) {
+    if (!shown.light_passing.empty()) return shown.light_passing;
+    const auto& triangles = mesh.triangles();
+    for (uint32_t i = 0; i < triangles.size(); ++i) {
+        if (!set.materials[shown.materials->of(i)].may_pass_light()) continue;
+        for (const uint32_t vertex : triangles[i])
+            if (geometry::is_usable(mesh.positions[vertex]))
+                shown.light_passing.extend(mesh.positions[vertex]);
+    }
+    return shown.light_passing;
+}
+
 } // namespace
 
 void Commit::show_materials() {
@@ -43,6 +57,7 @@ void Commit::show_meshes() {
             materials.materials =
                 resolve_materials(scene_, *snapshot_.material_set, *mesh.data->surface);
             materials.version = scene_.materials_version_;
+            materials.light_passing = {};
         }
         shown.data = mesh.data;
         shown.materials = materials.materials;
@@ -54,6 +69,9 @@ void Commit::show_meshes() {
         }
         if (mesh.hidden) continue;
         snapshot_.features |= shown.materials->features;
+        if (mesh.kind == MeshKind::fixed && (shown.materials->features & kLightPassingFeatures))
+            snapshot_.light_passing.extend(
+                bounds_of_light_passing(materials, *snapshot_.material_set, *mesh.data));
         if (mesh.kind != MeshKind::fixed) snapshot_.features |= kDynamicMeshes;
     }
 }
@@ -132,21 +150,24 @@ void Commit::place_instances() {
             unusable_ += shape->infos.size();
             continue;
         }
-        trace::AlphaTest alpha, light;
+        trace::AlphaTest alpha, light, opacity;
         if (asks) {
             snapshot_.instance_alphas.push_back({&snapshot_, i});
             alpha = alpha_test(snapshot_.instance_alphas.back());
             light = light_test(snapshot_.instance_alphas.back());
+            opacity = opacity_test(snapshot_.instance_alphas.back());
         }
         const bool is_rigid = mesh.kind == MeshKind::rigid;
         const Placement* const placement = snapshot_.placement_of(snapshot_.meshes[i]);
         snapshot_.instances.push_back({mesh.placement.to_local, mesh.placement.to_world.offset,
                                        part_of(*shape, first), i, mesh.layer_mask, alpha, light,
-                                       is_rigid ? &placement->to_world : nullptr,
+                                       opacity, is_rigid ? &placement->to_world : nullptr,
                                        is_rigid && placement->mirrored});
         rigid_count_ += is_rigid;
         first += shape->infos.size();
         scene_.extents_.push_back(mesh.extent);
+        if (snapshot_.meshes[i].materials->features & kLightPassingFeatures)
+            snapshot_.light_passing.extend(mesh.extent.box);
     }
     if (snapshot_.instances.size() > accel::instances::kMaxInstances)
         base::fail(base::Code::limit,

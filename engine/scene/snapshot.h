@@ -65,6 +65,7 @@ struct Snapshot {
     base::Vector<accel::instances::Node> instance_nodes;
     base::Vector<accel::instances::NodeRest> instance_rests; // beside them, if any is far away
     base::Vector<InstanceAlpha> instance_alphas; // beside `instances`; empty if no test asks
+    math::Box light_passing;                     // what light may pass lies in it
     Environment environment;
     Fog fog;
     uint32_t features = 0; // Feature bits that the scene has

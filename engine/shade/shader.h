@@ -26,6 +26,9 @@ public:
     void occlude_ambient_light(float range, uint32_t samples) {
         openness_.emplace(*snapshot_, space_, range, samples);
     }
+    // From here on, light is tinted by what it passes: see Tints. Threads then need scratch.tints.
+    void tint_light() { lighting_.tint(); }
+    bool tints_light() const { return lighting_.tints(); }
     bool finds_openness() const { return openness_.has_value(); }
 
     // Fills scratch.surface.

@@ -17,11 +17,14 @@ struct AlphaTest {
     const void* context = nullptr;
 };
 
+// Which of its tests an instance takes in the place of Filter::alpha.
+enum class Asks : uint32_t { presence, light, opacity };
+
 // Which triangles a ray may hit, beyond their geometry.
 struct Filter {
     Faces faces = Faces::both;
     bool cull_single_sided = false; // the backs of kSingleSided triangles do not count
-    bool of_light = false;          // which of its tests an instance takes in the place of `alpha`
+    Asks asks = Asks::presence;
     uint32_t layer_mask = ~0u;
     uint32_t ignore_mesh = geometry::kNoTriangle; // a slot
     std::span<const uint32_t> ignore_more;        // slots, ascending; none without ignore_mesh

@@ -497,6 +497,8 @@ static void print_frame(void) {
     FIELD(rt_frame_desc, particles);
     FIELD(rt_frame_desc, airlight_block);
     FIELD(rt_frame_desc, measure_luminance);
+    FIELD(rt_frame_desc, tinted_shadows);
+    FIELD(rt_frame_desc, reserved);
     STRUCT(rt_frame_stats);
     FIELD(rt_frame_stats, struct_size);
     FIELD(rt_frame_stats, threads);

@@ -36,11 +36,13 @@ struct Setting {
     uint32_t depth = 0; // of paths
     bool blooms = false, fog = false, occlusion = false, soft = false;
     bool lit_fog = false; // by all lamps that end somewhere
+    bool tinted = false;  // shadows
     uint32_t airlight_shadows = 0, particles = 0, edge_samples = 1, light_block = 1;
 };
 constexpr Setting kNone = {.name = "none"};
 constexpr Setting kSettings[] = {
     {.name = "mirrors, glass, blending", .depth = 4},
+    {.name = "tinted shadows", .tinted = true},
     {.name = "soft shadows", .soft = true},
     {.name = "occlusion", .occlusion = true},
     {.name = "bloom", .blooms = true},
@@ -56,6 +58,7 @@ constexpr Setting kSettings[] = {
      .blooms = true,
      .fog = true,
      .occlusion = true,
+     .tinted = true,
      .particles = kFewParticles},
 };
 constexpr const char* kEverything = "everything";
@@ -116,6 +119,7 @@ private:
         frame.max_depth = setting.depth;
         frame.bloom = setting.blooms ? kBloom : 0;
         frame.occlusion_range = setting.occlusion ? kOcclusionRange : 0;
+        frame.tinted_shadows = setting.tinted;
         frame.edge_samples = setting.edge_samples;
         frame.light_block = setting.light_block;
         frame.particles = host::to_array(embers);

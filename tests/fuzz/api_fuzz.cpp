@@ -414,6 +414,7 @@ private:
         frame.airlight_shadows = random_.below(34); // one too many
         frame.airlight_block = random_.below(5);
         frame.measure_luminance = random_.below(2);
+        frame.tinted_shadows = random_.below(2);
         frame.render_width = random_.below(frame.width + 1);
         const uint64_t row = frame.width * kBytes[frame.format];
         frame.row_stride = random_.one_in(2) ? 0 : row + random_.below(20);

@@ -17,7 +17,7 @@ from measure import dumps_of, skip_without_valgrind
 # Names of functions, with their classes and namespaces.
 FEATURES = {
     "mirrors": r"Paths::|_and_follow|split_paths",
-    "glass": r"Paths::|_and_follow|split_paths|media_at",
+    "glass": r"Paths::|_and_follow|split_paths|media_at|Tints::|passage|Passage",
     "soft shadows": r"penumbra|sphere_points|sphere_probes",
     "fog": r"Fog|hide_in_fog|find_clear|veil",
     "sky": r"paint_sky",

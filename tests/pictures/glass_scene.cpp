@@ -159,6 +159,21 @@ void GlassScene::move() {
     place({0.5, 0.1, 0, -0.1, 0.5, 0, 0, 0, -0.5}, {2.2, 0.8, -2});
 }
 
+void GlassScene::shine_through() {
+    rt_light_desc lamp = rt_default_light_desc();
+    rt_light light;
+    const auto place_lamp = [&](const dvec3& position) {
+        for (int k = 0; k < 3; ++k) lamp.position[k] = origin_[k] + position[k];
+        stage_.check(api_.add_light(stage_.scene(), &lamp, &light), "adding a lamp");
+    };
+    lamp.radius = 30;
+    for (float& part : lamp.intensity) part = 160;
+    place_lamp({-0.5, 4, -9});
+    for (float& part : lamp.intensity) part = 30;
+    lamp.source_radius = 0.1f;
+    place_lamp({0.6, 5, -0.4});
+}
+
 void GlassScene::change_sky() {
     constexpr int kWidth = 64, kHeight = 32;
     std::vector<float> texels;

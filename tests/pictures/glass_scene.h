@@ -21,6 +21,8 @@ public:
 
     // The golden box turns.
     void move();
+    // A lamp behind the window, and a sphere above what stands on the floor.
+    void shine_through();
     // A sky that is an image.
     void change_sky();
 

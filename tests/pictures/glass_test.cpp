@@ -21,6 +21,22 @@ TEST_P(GlassPictures, OfEachKind) {
     expect("glass_matt", scene.camera(), frame);
 }
 
+// The lamps' light through the window, the ball, the die and the veil.
+TEST_P(GlassPictures, InTintedShadows) {
+    GlassScene scene(*stage_, {});
+    scene.shine_through();
+    commit();
+    rt_frame_desc frame = frame_of(320, 180);
+    frame.tinted_shadows = 1;
+    expect("tinted", scene.camera(), frame);
+    frame = frame_of(161, 91);
+    frame.tinted_shadows = 1;
+    frame.max_depth = 0;
+    frame.edge_samples = 4;
+    if (!GetParam().proofs) frame.light_block = 8;
+    expect(GetParam().proofs ? "tinted_edges" : "tinted_blocks", scene.camera(), frame);
+}
+
 TEST_P(GlassPictures, Approximated) {
     if (GetParam().proofs) GTEST_SKIP() << "which lamps are compared depends on what was proved";
     const GlassScene scene(*stage_, {});

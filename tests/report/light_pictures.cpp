@@ -1,8 +1,9 @@
 // Figures 6 to 8 of the paper (Bikker 2007), ours: fall-offs, the spots that they make on a wall,
-// and lights that overlap.
+// and lights that overlap; and shadows of glass.
 #include "canvas.h"
 
 #include "image_file.h"
+#include "pictures/glass_scene.h"
 #include "plugin.h"
 #include "stage.h"
 
@@ -167,9 +168,29 @@ void draw_overlap(const rt_api& api, const std::string& path) {
     host::write_picture_file(path, frame.width, frame.height, pixels);
 }
 
+// A lamp behind coloured panes, and one above glass and a veil.
+void draw_tinted(const rt_api& api, const std::string& path) {
+    host::Stage stage(api, 1, RT_ISA_BEST);
+    test::GlassScene scene(stage, {});
+    scene.shine_through();
+    stage.check(api.commit_scene(stage.scene(), nullptr, nullptr), "building");
+    rt_frame_desc frame = rt_default_frame_desc();
+    frame.width = 960;
+    frame.height = 540;
+    frame.exposure = 0.5f;
+    frame.edge_samples = 8;
+    frame.occlusion_range = 1;
+    std::vector<uint8_t> pixels(size_t{4} * frame.width * frame.height);
+    frame.pixels = pixels.data();
+    const rt_camera camera = scene.camera();
+    stage.check(api.render_frame(stage.scene(), &camera, &frame, nullptr), "rendering a frame");
+    host::write_picture_file(path, frame.width, frame.height, pixels);
+}
+
 int run(int argc, char** argv) {
     std::string out = "docs", library;
-    CLI::App app("Draws fall-offs of lamps, their spots on a wall, and lamps that overlap.");
+    CLI::App app("Draws fall-offs of lamps, their spots on a wall, lamps that overlap, and shadows "
+                 "of glass.");
     app.add_option("--out", out, "Folder for the PNG files")->capture_default_str();
     app.add_option("--library", library,
                    "The engine; default: libperegrine.so beside this program");
@@ -183,6 +204,7 @@ int run(int argc, char** argv) {
     draw_curves(wall, file("falloffs.png"));
     draw_spots(wall, file("falloff_spots.png"));
     draw_overlap(plugin.api(), file("lamps_overlap.png"));
+    draw_tinted(plugin.api(), file("tinted_shadows.png"));
     return 0;
 }
 

@@ -340,8 +340,8 @@ enum {
     RT_ALPHA_OPAQUE = 0, /* alpha is ignored */
     RT_ALPHA_MASK = 1,   /* the surface is absent where alpha < alpha_cutoff */
     RT_ALPHA_BLEND = 2   /* alpha is how much of what is behind the surface covers, in frames with a
-                            max_depth, unless it is the hull of a solid. It casts a shadow where it
-                            covers half or more. Queries see all of it */
+                            max_depth, unless it is the hull of a solid. Of its shadow see
+                            rt_frame_desc.tinted_shadows. Queries see all of it */
 };
 
 /* A texture as a material uses it: (u', v') = (m[0] u + m[1] v + m[2], m[3] u + m[4] v + m[5]).
@@ -1455,6 +1455,11 @@ typedef struct rt_frame_desc {
                                    one in a block of so many, for the others, too, where their ways
                                    are about the same. rt_default_frame_desc() has 2 */
     uint32_t measure_luminance; /* 0 or 1; 1: of a shaded frame, in rt_frame_stats */
+    uint32_t tinted_shadows; /* 0 or 1. 1: of a lamp's light glass and blended surfaces let through
+                                what they let through of a picture, but on a straight line; none of
+                                it beyond 64 surfaces. 0: a shadow is whole or none, and what keeps
+                                half of the light casts one. rt_default_frame_desc() has 1 */
+    uint32_t reserved;       /* 0 */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1476,6 +1481,7 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.bloom_radius = 0.15f;
     desc.airlight_shadows = 8;
     desc.airlight_block = 2;
+    desc.tinted_shadows = 1;
     return desc;
 }
 

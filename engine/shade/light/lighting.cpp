@@ -138,10 +138,13 @@ void Lighting::illuminate(const Task& task) const {
                                          scratch.weights);
         any_is_lit = hidden < ray_count || known.some_are_lit;
     }
-    if (marks) mark(task, known, ray_count);
+    const bool tints = tints_ && traces && ray_count > 0 && any_is_lit;
+    if (tints) tints_->take(shadows_, light, ray_count, scratch);
     if (any_is_lit)
         kernels_->add_light[uint32_t(program_)](scratch.weights, task.hits.count, light.color,
                                                 scratch.light);
+    if (tints) tints_->give_back(light, program_, scratch);
+    if (marks) mark(task, known, ray_count);
 }
 
 } // namespace peregrine::shade

@@ -5,8 +5,10 @@
 #include "shade/light/choice.h"
 #include "shade/light/marks.h"
 #include "shade/light/shadows.h"
+#include "shade/light/tints.h"
 #include "shade/scratch.h"
 
+#include <optional>
 #include <span>
 
 namespace peregrine::shade {
@@ -17,6 +19,14 @@ public:
     // `lights`, `unseen`: as of LightChoice; they and surfaces are relative to `space.origin`.
     Lighting(const scene::Snapshot& snapshot, std::span<const PreparedLight> lights,
              const SurfaceSpace& space, Program program, bool shadows, float unseen);
+
+    // From here on, light is tinted by what it passes: see Tints. Threads then need scratch.tints.
+    void tint() {
+        if (!traces_shadows_) return;
+        tints_.emplace(*snapshot_, space_);
+        shadows_.see_opaque_alone();
+    }
+    bool tints() const { return tints_.has_value(); }
 
     std::span<const PreparedLight> lights() const { return lights_; }
     const LightChoice& choice() const { return choice_; }
@@ -49,6 +59,7 @@ private:
     SurfaceSpace space_;
     LightChoice choice_;
     Shadows shadows_;
+    std::optional<Tints> tints_;
     Program program_;
     bool traces_shadows_;
     bool recalls_;

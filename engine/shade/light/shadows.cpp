@@ -19,7 +19,12 @@ void ShadowMemory::initialize() {
 Shadows::Shadows(const scene::Snapshot& snapshot, const SurfaceSpace& space)
     : snapshot_(&snapshot), space_(space) {
     filter_.alpha = scene::light_test(snapshot);
-    filter_.of_light = true;
+    filter_.asks = trace::Asks::light;
+}
+
+void Shadows::see_opaque_alone() {
+    filter_.alpha = scene::opacity_test(*snapshot_);
+    filter_.asks = trace::Asks::opacity;
 }
 
 // Whether a moving thing's box is in the way of that of all segments.
@@ -53,7 +58,7 @@ trace::Positions Shadows::positions_of(const trace::RayStream& rays) const {
     return {{rays.origin[0], rays.origin[1], rays.origin[2]}, space_.origin};
 }
 
-// Fixed and deforming meshes see rays relative to the world's origin, rounded to float.
+// Relative to the world's origin, rounded to float.
 trace::RayStream Shadows::in_world(trace::RayStream rays, ShadowMemory& memory) const {
     if (!space_.is_elsewhere) return rays;
     const uint32_t padded = (rays.count + 15) / 16 * 16;

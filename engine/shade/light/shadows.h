@@ -18,6 +18,9 @@ public:
     // Lights and surfaces are relative to `space.origin`.
     Shadows(const scene::Snapshot& snapshot, const SurfaceSpace& space);
 
+    // From here on only what lets no light through at all is in its way: see Tints.
+    void see_opaque_alone();
+
     // Whether anything that moves may be in the way from the points to the light.
     bool something_moves_before(const PreparedLight& light, const math::Box& points) const;
 
@@ -33,11 +36,14 @@ public:
     // ... for any rays, whose origins are relative to `space.origin`.
     void trace_any(const trace::RayStream& rays, ShadowMemory& memory) const;
 
-private:
+    // The first `ray_count` rays of `memory`, as they are traced.
     trace::RayStream list(const PreparedLight& light, uint32_t ray_count,
                           ShadowMemory& memory) const;
+    // Rays as fixed and deforming meshes see them; their origins may be in memory.moved_origin.
     trace::RayStream in_world(trace::RayStream rays, ShadowMemory& memory) const;
     trace::Positions positions_of(const trace::RayStream& rays) const;
+
+private:
     void ask_for_mixed(const trace::RayStream& rays, ShadowMemory& memory) const;
 
     const scene::Snapshot* snapshot_;

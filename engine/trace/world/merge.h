@@ -18,12 +18,23 @@ inline bool within(const Instance& instance, const math::Ray& ray, const Positio
     return true;
 }
 
+inline const AlphaTest& test_of(const Instance& instance, Asks asks) {
+    switch (asks) {
+    case Asks::light:
+        return instance.light;
+    case Asks::opacity:
+        return instance.opacity;
+    default:
+        return instance.alpha;
+    }
+}
+
 inline Filter filter_within(const Filter& filter, const Instance& instance) {
     Filter within = filter;
     within.layer_mask = ~0u;
     within.ignore_mesh = geometry::kNoTriangle;
     within.ignore_more = {};
-    if (filter.alpha.present) within.alpha = filter.of_light ? instance.light : instance.alpha;
+    if (filter.alpha.present) within.alpha = test_of(instance, filter.asks);
     return within;
 }
 

@@ -27,7 +27,8 @@ struct Instance {
     uint32_t mesh; // slot; takes the place of that in the target's infos
     uint32_t layer_mask;
     AlphaTest alpha;                        // of this mesh, for filters that have one, ...
-    AlphaTest light;                        // ... and for those of light
+    AlphaTest light;                        // ... for those of light, ...
+    AlphaTest opacity;                      // ... and of light that may be tinted
     const math::Affine* to_world = nullptr; // null without a space of its own
     bool mirrored = false;                  // by to_world
 
