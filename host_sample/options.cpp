@@ -130,20 +130,7 @@ void declare_game(CLI::App& app, Options& options, Texts& texts) {
     app.add_flag("--mute", options.mute, "no sound");
 }
 
-void declare(CLI::App& app, Options& options, Texts& texts) {
-    app.add_option("--scene", options.scene, "a .glb or .gltf file [content/hall.glb]");
-    app.add_flag("--view-only", options.view_only, "look around in the scene; no game");
-    declare_game(app, options, texts);
-    app.add_option("--camera", options.camera, "name or index of a camera of the scene [0]");
-    app.add_option("--animation", options.animation,
-                   "name or index of an animation of the scene, or none [all at once]");
-    app.add_option("--time", options.time,
-                   "seconds into the animation at the first frame: the moment of a single picture "
-                   "[0]")
-        ->check(CLI::Range(0.0, 1e9));
-    app.add_option("--time-step", options.time_step,
-                   "seconds from frame to frame without a window [fly-through: 0.2; else 1/30]")
-        ->check(CLI::Range(0.0, 1e6));
+void declare_output(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--size", texts.size, "WIDTHxHEIGHT of the frame, in pixels [1280x720]");
     app.add_option("--scale", options.scale,
                    "frame size as a part of the window's, or of --size without one [game: as its "
@@ -167,6 +154,9 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
                    "auto, scalar, sse4, avx2 or avx512 [$PEREGRINE_ISA, else auto]");
     app.add_option("--structure", texts.structure, "auto, bvh, kdtree or bih [auto]");
     app.add_option("--build", texts.build, "balanced, fast or best [balanced]");
+}
+
+void declare_light(CLI::App& app, Options& options) {
     app.add_option("--exposure", options.exposure,
                    "multiplies the light before tone mapping [adapts to the view]")
         ->check(CLI::Range(1e-6, 1e6));
@@ -197,6 +187,9 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
         ->check(CLI::Range(0u, 4096u));
     app.add_flag("--light-proofs", options.light_proofs,
                  "with --view-only: prove once what standing lamps see of the level (seconds)");
+}
+
+void declare_effects(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--bloom", options.bloom,
                    "with --view-only or --headless: the part of what is too bright that glows [0]")
         ->check(CLI::Range(0.0, 1.0));
@@ -217,6 +210,25 @@ void declare(CLI::App& app, Options& options, Texts& texts) {
     app.add_option("--embers", options.embers,
                    "with --view-only or --headless: particles that rise from the scene's lamps [0]")
         ->check(CLI::Range(0u, 1000000u));
+}
+
+void declare(CLI::App& app, Options& options, Texts& texts) {
+    app.add_option("--scene", options.scene, "a .glb or .gltf file [content/hall.glb]");
+    app.add_flag("--view-only", options.view_only, "look around in the scene; no game");
+    declare_game(app, options, texts);
+    app.add_option("--camera", options.camera, "name or index of a camera of the scene [0]");
+    app.add_option("--animation", options.animation,
+                   "name or index of an animation of the scene, or none [all at once]");
+    app.add_option("--time", options.time,
+                   "seconds into the animation at the first frame: the moment of a single picture "
+                   "[0]")
+        ->check(CLI::Range(0.0, 1e9));
+    app.add_option("--time-step", options.time_step,
+                   "seconds from frame to frame without a window [fly-through: 0.2; else 1/30]")
+        ->check(CLI::Range(0.0, 1e6));
+    declare_output(app, options, texts);
+    declare_light(app, options);
+    declare_effects(app, options, texts);
     app.add_flag("--list-cameras", options.list_cameras, "print the scene's cameras and quit");
     app.add_flag("--list-pads", options.list_pads,
                  "print the gamepads and how they are read, and quit");

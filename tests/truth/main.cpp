@@ -18,7 +18,6 @@ namespace peregrine::truth {
 namespace {
 
 constexpr uint32_t kSide = 128; // pixels
-constexpr uint32_t kRays = 8;   // a side of a pixel
 
 const char* name_of(Material::Kind kind) {
     constexpr const char* names[] = {"matt", "glowing", "mirror", "glass", "pane"};
@@ -75,15 +74,15 @@ public:
         stage_.commit(RT_STRUCTURE_AUTO, RT_BUILD_BALANCED, nullptr);
     }
 
-    // Radiance, three floats a pixel, top row first.
-    std::vector<float> render() const {
-        constexpr uint32_t kLarge = kSide * kRays;
-        std::vector<float> large(size_t(kLarge) * kLarge * 4), small(size_t(kSide) * kSide * 3);
+    // Radiance, three floats a pixel, top row first; `rays` by `rays` of them a pixel.
+    std::vector<float> render(uint32_t rays) const {
+        const uint32_t side = kSide * rays;
+        std::vector<float> large(size_t(side) * side * 4), small(size_t(kSide) * kSide * 3);
         rt_frame_desc frame = rt_default_frame_desc();
         frame.format = RT_FORMAT_RGBA32F;
         frame.tone_mapping = RT_TONE_NONE;
         frame.pixels = large.data();
-        frame.width = frame.height = kLarge;
+        frame.width = frame.height = side;
         frame.max_depth = scene_.max_depth;
         frame.least_importance = 0;
         if (scene_.ambient > 0) {
@@ -93,11 +92,11 @@ public:
         }
         const rt_camera camera = look();
         stage_.check(api_.render_frame(stage_.scene(), &camera, &frame, nullptr), "a frame");
-        for (size_t y = 0; y < kLarge; ++y)
-            for (size_t x = 0; x < kLarge; ++x)
+        for (size_t y = 0; y < side; ++y)
+            for (size_t x = 0; x < side; ++x)
                 for (size_t c = 0; c < 3; ++c)
-                    small[(y / kRays * kSide + x / kRays) * 3 + c] +=
-                        large[(y * kLarge + x) * 4 + c] / (kRays * kRays);
+                    small[(y / rays * kSide + x / rays) * 3 + c] +=
+                        large[(y * side + x) * 4 + c] / float(rays * rays);
         return small;
     }
 
@@ -181,14 +180,18 @@ void write(const std::filesystem::path& folder, const Scene& scene,
 
 int run(int argc, char** argv) {
     std::string out, library;
+    uint32_t rays = 8;
     CLI::App app("Renders small scenes for compare.py.");
     app.add_option("--out", out, "Folder for the scenes and their pictures")->required();
     app.add_option("--library", library,
                    "The engine; default: libperegrine.so beside this program");
+    app.add_option("--rays", rays, "So many by so many a pixel")
+        ->capture_default_str()
+        ->check(CLI::Range(1u, 32u));
     CLI11_PARSE(app, argc, argv);
     const host::Plugin plugin(library);
     for (const Scene& scene : scenes()) {
-        write(out, scene, Renderer(plugin.api(), scene).render());
+        write(out, scene, Renderer(plugin.api(), scene).render(rays));
         std::printf("%s: %s\n", scene.name.c_str(), scene.what.c_str());
     }
     return 0;
