@@ -224,7 +224,7 @@ TEST_P(AllocationFailure, Remove) {
 }
 
 // What a thread works with is kept for the next frame.
-constexpr uint64_t kFrameMemory = 300'000;
+constexpr uint64_t kFrameMemory = 330'000;
 
 TEST_P(AllocationFailure, RenderFrame) {
     exhaust(
