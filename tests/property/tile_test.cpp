@@ -258,7 +258,7 @@ TEST(Tiles, OfFiles) {
         const Comparison comparison(scene.triangles);
         std::mt19937 random(14);
         for (const Eye& eye : scene.eyes)
-            for (size_t i = 0; i < std::min<size_t>(cameras() / 20, 4); ++i)
+            for (size_t i = 0; i < std::max<size_t>(cameras() / 50, 1); ++i)
                 comparison.compare_random_tile(
                     {eye.position, eye.forward, Vec3(0, 1, 0.01f), 1.0471976f, 1024, 1024}, 32,
                     random);
