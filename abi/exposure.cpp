@@ -1,9 +1,8 @@
+#include "render/exposure.h"
+
 #include "check.h"
 #include "guard.h"
 #include "read_struct.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace peregrine::abi {
 namespace {
@@ -23,21 +22,6 @@ void check(const rt_exposure& in) {
     require_least_zero(in.exposure, "rt_exposure.exposure");
 }
 
-float wanted(const rt_exposure& in, float mean) {
-    const double goal = std::pow(double(in.key) / double(mean), double(in.adaptation));
-    return std::clamp(float(std::min(goal, double(in.most))), in.least, in.most);
-}
-
-float adapted(const rt_exposure& in, float mean, float seconds) {
-    if (mean == 0) return std::clamp(in.exposure > 0 ? in.exposure : 1.0f, in.least, in.most);
-    const float goal = wanted(in, mean);
-    const float constant = goal > in.exposure ? in.brighten_seconds : in.darken_seconds;
-    if (in.exposure == 0 || constant == 0) return goal;
-    const double rest = std::exp(-double(seconds) / double(constant));
-    const double now = double(goal) * std::pow(double(in.exposure) / double(goal), rest);
-    return std::clamp(float(now), in.least, in.most);
-}
-
 } // namespace
 } // namespace peregrine::abi
 
@@ -49,7 +33,11 @@ rt_result rt_adapt_exposure(rt_exposure* exposure, float mean_luminance, float s
         check(state);
         require_least_zero(mean_luminance, "mean_luminance");
         require_least_zero(seconds, "seconds");
-        state.exposure = adapted(state, mean_luminance, seconds);
+        const peregrine::render::Eye eye = {
+            state.key,     state.adaptation,       state.least,
+            state.most,    state.brighten_seconds, state.darken_seconds,
+            state.exposure};
+        state.exposure = peregrine::render::adapt(eye, mean_luminance, seconds);
         Output(exposure).write(state);
     });
 }
