@@ -66,15 +66,6 @@ TextureUse Textures::use(int texture, int texcoord_set, const tinygltf::Extensio
     return use;
 }
 
-glm::vec3 Textures::mean(const TextureUse& use) const {
-    if (use.texture == no_index) return glm::vec3(1.0f);
-    const std::vector<uint8_t>& rgba = level_.images[level_.textures[use.texture].image].rgba;
-    glm::u64vec3 sum(0);
-    for (size_t i = 0; i + 3 < rgba.size(); i += 4)
-        sum += glm::u64vec3(rgba[i], rgba[i + 1], rgba[i + 2]);
-    return glm::vec3(glm::dvec3(sum) / (255.0 * static_cast<double>(rgba.size() / 4)));
-}
-
 // Extensions give textures images of other formats, beside the core's or alone.
 uint32_t Textures::open_image(int texture) {
     const tinygltf::Texture& source = model_.textures[static_cast<size_t>(texture)];

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "../level.h"
+#include "../texture_mean.h"
 #include "document.h"
 #include "images.h"
 #include "notes.h"
@@ -18,9 +19,7 @@ public:
 
     TextureUse use(int texture, int texcoord_set, const tinygltf::ExtensionMap& extensions,
                    bool srgb);
-
-    // Of a linear texture's texels, 0 to 1; 1 without one.
-    glm::vec3 mean(const TextureUse& use) const;
+    glm::vec3 mean(const TextureUse& use) const { return glm::vec3(mean_of(level_, use)); }
 
 private:
     uint32_t open_image(int texture);
