@@ -6,7 +6,8 @@
 
 namespace peregrine::math {
 
-// exp(-x) for x >= 0, to 1e-5 of it, with the same bits everywhere; 0 from 87 on.
+// As shade/path/fresnel-inl.h has it for vectors: exp(-x) for x >= 0, to 1e-5 of it, with the same
+// bits everywhere; 0 from 87 on.
 inline float exp_of_minus(float x) {
     const float y = x * -1.44269504f;
     if (!(y > -126.0f)) return 0;

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "geometry/area.h"
 #include "scene/alpha_test.h"
+#include "scene/light_passing.h"
 #include "scene/resolve.h"
 #include "trace/world/ray_lists.h"
 
@@ -14,20 +15,6 @@ namespace {
 bool is_usable(const accel::instances::Extent& extent) {
     return geometry::is_usable(extent.box.lower) && geometry::is_usable(extent.box.upper)
            && extent.margin <= 1e30f;
-}
-
-// The box is kept until the mesh or a material changes.
-const math::Box& bounds_of_light_passing(ShownMaterials& shown, const MaterialSet& set,
-                                         const MeshData& mesh) {
-    if (!shown.light_passing.empty()) return shown.light_passing;
-    const auto& triangles = mesh.triangles();
-    for (uint32_t i = 0; i < triangles.size(); ++i) {
-        if (!set.materials[shown.materials->of(i)].may_pass_light()) continue;
-        for (const uint32_t vertex : triangles[i])
-            if (geometry::is_usable(mesh.positions[vertex]))
-                shown.light_passing.extend(mesh.positions[vertex]);
-    }
-    return shown.light_passing;
 }
 
 } // namespace
@@ -55,9 +42,8 @@ void Commit::show_meshes() {
         ShownMaterials& materials = mesh.shape ? mesh.shape->shown : mesh.shown;
         if (materials.version != scene_.materials_version_) {
             materials.materials =
-                resolve_materials(scene_, *snapshot_.material_set, *mesh.data->surface);
+                resolve_materials(scene_, *snapshot_.material_set, *mesh.data, mesh.kind);
             materials.version = scene_.materials_version_;
-            materials.light_passing = {};
         }
         shown.data = mesh.data;
         shown.materials = materials.materials;
@@ -69,9 +55,8 @@ void Commit::show_meshes() {
         }
         if (mesh.hidden) continue;
         snapshot_.features |= shown.materials->features;
-        if (mesh.kind == MeshKind::fixed && (shown.materials->features & kLightPassingFeatures))
-            snapshot_.light_passing.extend(
-                bounds_of_light_passing(materials, *snapshot_.material_set, *mesh.data));
+        for (const math::Box& box : shown.materials->light_passing)
+            add_light_passing(box, snapshot_.light_passing);
         if (mesh.kind != MeshKind::fixed) snapshot_.features |= kDynamicMeshes;
     }
 }
@@ -150,24 +135,23 @@ void Commit::place_instances() {
             unusable_ += shape->infos.size();
             continue;
         }
-        trace::AlphaTest alpha, light, opacity;
+        trace::InstanceTests tests;
         if (asks) {
             snapshot_.instance_alphas.push_back({&snapshot_, i});
-            alpha = alpha_test(snapshot_.instance_alphas.back());
-            light = light_test(snapshot_.instance_alphas.back());
-            opacity = opacity_test(snapshot_.instance_alphas.back());
+            const InstanceAlpha& alpha = snapshot_.instance_alphas.back();
+            tests = {alpha_test(alpha), light_test(alpha), opacity_test(alpha)};
         }
         const bool is_rigid = mesh.kind == MeshKind::rigid;
         const Placement* const placement = snapshot_.placement_of(snapshot_.meshes[i]);
         snapshot_.instances.push_back({mesh.placement.to_local, mesh.placement.to_world.offset,
-                                       part_of(*shape, first), i, mesh.layer_mask, alpha, light,
-                                       opacity, is_rigid ? &placement->to_world : nullptr,
+                                       part_of(*shape, first), i, mesh.layer_mask, tests,
+                                       is_rigid ? &placement->to_world : nullptr,
                                        is_rigid && placement->mirrored});
         rigid_count_ += is_rigid;
         first += shape->infos.size();
         scene_.extents_.push_back(mesh.extent);
         if (snapshot_.meshes[i].materials->features & kLightPassingFeatures)
-            snapshot_.light_passing.extend(mesh.extent.box);
+            add_light_passing(mesh.extent.box, snapshot_.light_passing);
     }
     if (snapshot_.instances.size() > accel::instances::kMaxInstances)
         base::fail(base::Code::limit,

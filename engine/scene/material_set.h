@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/memory.h"
+#include "math/box.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/program.h"
@@ -24,11 +25,12 @@ struct MaterialSet {
 
 // What a mesh shows of them; shared likewise.
 struct MeshMaterials {
-    explicit MeshMaterials(base::Memory* memory) : each(memory) {}
+    explicit MeshMaterials(base::Memory* memory) : each(memory), light_passing(memory) {}
 
     base::Vector<uint32_t> each; // per triangle: index in MaterialSet::materials; or empty
     uint32_t all = 0;            // of all triangles if `each` is empty
     uint32_t features = 0;       // Feature bits of those that are shown
+    base::Vector<math::Box> light_passing; // of a fixed mesh: see add_light_passing
 
     uint32_t of(uint32_t primitive) const { return each.empty() ? all : each[primitive]; }
 };

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "scene/features.h"
+#include "scene/light_passing.h"
 
 namespace peregrine::scene {
 namespace {
@@ -65,7 +66,8 @@ std::shared_ptr<const MaterialSet> resolve_materials(Scene& scene) {
 }
 
 std::shared_ptr<const MeshMaterials> resolve_materials(Scene& scene, const MaterialSet& set,
-                                                       const MeshSurface& surface) {
+                                                       const MeshData& mesh, MeshKind kind) {
+    const MeshSurface& surface = *mesh.surface;
     const auto shown = allocate<MeshMaterials>(scene);
     const auto place = [&](const MeshSurface::MaterialRef& reference) {
         return scene.materials.find({reference.index, reference.generation}) ? reference.index + 1
@@ -78,6 +80,8 @@ std::shared_ptr<const MeshMaterials> resolve_materials(Scene& scene, const Mater
         shown->features |= features_of(set.materials[shown->each.back()]);
     }
     if (shown->each.empty()) shown->features = features_of(set.materials[shown->all]);
+    if (kind == MeshKind::fixed && (shown->features & kLightPassingFeatures))
+        add_light_passing(set, *shown, mesh, shown->light_passing);
     return shown;
 }
 

@@ -10,6 +10,6 @@ std::shared_ptr<const MaterialSet> resolve_materials(Scene& scene);
 
 // What a mesh shows of them. A material that was removed shows as the default one.
 std::shared_ptr<const MeshMaterials> resolve_materials(Scene& scene, const MaterialSet& set,
-                                                       const MeshSurface& surface);
+                                                       const MeshData& mesh, MeshKind kind);
 
 } // namespace peregrine::scene

@@ -28,8 +28,7 @@ using base::Handle;
 // What the last commit made of a mesh's materials.
 struct ShownMaterials {
     std::shared_ptr<const MeshMaterials> materials;
-    uint64_t version = 0;    // of Scene::materials_version_
-    math::Box light_passing; // of those triangles of a fixed mesh; empty: not known yet
+    uint64_t version = 0; // of Scene::materials_version_
 };
 
 // The triangles of a mesh that moves, in its own space, built by the first commit that shows them;

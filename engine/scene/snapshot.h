@@ -42,7 +42,7 @@ struct Snapshot {
     explicit Snapshot(base::Memory* memory)
         : meshes(memory), layer_masks(memory), generations(memory), placements(memory),
           instances(memory), instance_nodes(memory), instance_rests(memory),
-          instance_alphas(memory) {}
+          instance_alphas(memory), light_passing(memory) {}
 
     const Material& material_of(const Mesh& mesh, uint32_t primitive) const {
         return material_set->materials[mesh.materials->of(primitive)];
@@ -65,7 +65,7 @@ struct Snapshot {
     base::Vector<accel::instances::Node> instance_nodes;
     base::Vector<accel::instances::NodeRest> instance_rests; // beside them, if any is far away
     base::Vector<InstanceAlpha> instance_alphas; // beside `instances`; empty if no test asks
-    math::Box light_passing;                     // what light may pass lies in it
+    base::Vector<math::Box> light_passing;       // what light may pass lies in them
     Environment environment;
     Fog fog;
     uint32_t features = 0; // Feature bits that the scene has

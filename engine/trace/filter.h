@@ -19,6 +19,7 @@ struct AlphaTest {
 
 // Which of its tests an instance takes in the place of Filter::alpha.
 enum class Asks : uint32_t { presence, light, opacity };
+inline constexpr uint32_t kAsks = 3;
 
 // Which triangles a ray may hit, beyond their geometry.
 struct Filter {

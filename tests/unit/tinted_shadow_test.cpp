@@ -145,6 +145,42 @@ TEST(TintedShadows, AreWholeOrNoneWithoutThem) {
     }
 }
 
+// More boxes than a snapshot has, and clusters of one mesh.
+TEST(TintedShadows, AreFoundAmongManyPanes) {
+    for (const bool is_sun : {false, true}) {
+        const Vec3 left = passed(
+            0.3,
+            [&](Shadowed& world) {
+                const base::Handle sheet = world.add(veil(0.25f));
+                const auto mesh = world.make_mesh(sheet);
+                for (int i = 0; i < 100; ++i) {
+                    const float x = float(i % 10) * 3 - 15, z = float(i / 10) * 3 - 15;
+                    world.add_quad({x, 5, z + 1}, {x + 1, 5, z + 1}, {x + 1, 5, z}, {x, 5, z},
+                                   sheet);
+                    for (const Vec3& corner : {Vec3(x, 1, z), Vec3(x + 3, 1, z), Vec3(x, 1, z + 3),
+                                               Vec3(x + 3, 1, z + 3)})
+                        mesh.data->positions.push_back(corner);
+                    const auto first = uint32_t(4 * i);
+                    mesh.surface->triangles.push_back({first, first + 2, first + 1});
+                    mesh.surface->triangles.push_back({first + 1, first + 2, first + 3});
+                }
+                world.scene.meshes.insert({mesh.data});
+            },
+            is_sun);
+        EXPECT_NEAR(left.x, 0.75, 1e-6) << is_sun;
+    }
+}
+
+TEST(TintedShadows, AreDarkBeyondSixtyFourSurfaces) {
+    for (const int count : {64, 65}) {
+        const Vec3 left = passed(0, [&](Shadowed& world) {
+            const base::Handle sheet = world.add(veil(1.0f / 64));
+            for (int i = 0; i < count; ++i) add_floor(world, 20, 1 + 0.05f * float(i), sheet);
+        });
+        EXPECT_NEAR(left.x, count > 64 ? 0 : std::pow(63.0 / 64, 64), 1e-5) << count;
+    }
+}
+
 TEST(TintedShadows, EndAtWhatIsOpaque) {
     const Vec3 left = passed(0, [&](Shadowed& world) {
         add_floor(world, 20, 2, world.add(veil(0.25f)));

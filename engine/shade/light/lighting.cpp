@@ -139,7 +139,10 @@ void Lighting::illuminate(const Task& task) const {
         any_is_lit = hidden < ray_count || known.some_are_lit;
     }
     const bool tints = tints_ && traces && ray_count > 0 && any_is_lit;
-    if (tints) tints_->take(shadows_, light, ray_count, scratch);
+    if (tints) {
+        if (light.source_radius > 0) list_centers_again(ray_count, shadow);
+        tints_->take(shadows_, light, ray_count, scratch);
+    }
     if (any_is_lit)
         kernels_->add_light[uint32_t(program_)](scratch.weights, task.hits.count, light.color,
                                                 scratch.light);

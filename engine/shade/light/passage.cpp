@@ -164,12 +164,12 @@ private:
 
 Vec3 passage(const scene::Snapshot& snapshot, const trace::Filter& filter, const math::Ray& ray,
              const trace::Position& position) {
-    WorldHit hits[kMostCrossings];
+    WorldHit hits[kMostCrossings + 1];
     const trace::Judge nobody;
     trace::Search search(snapshot.world, filter, nobody);
     const uint32_t count = search.crossings(
-        ray, position, kMostCrossings, [&](uint32_t i, const WorldHit& hit) { hits[i] = hit; });
-    if (count == kMostCrossings) return Vec3(0);
+        ray, position, kMostCrossings + 1, [&](uint32_t i, const WorldHit& hit) { hits[i] = hit; });
+    if (count > kMostCrossings) return Vec3(0);
     Passage way(snapshot, ray);
     way.begin(hits, count);
     for (uint32_t i = 0; i < count; ++i) way.cross(hits[i]);

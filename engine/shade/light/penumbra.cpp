@@ -64,14 +64,6 @@ public:
         return hidden;
     }
 
-    // The rays toward the centre are listed again.
-    void end() {
-        for (int k = 0; k < 3; ++k) {
-            std::copy_n(memory_.fixed_origin[k], ray_count_, memory_.origin[k]);
-            std::copy_n(memory_.fixed_direction[k], ray_count_, memory_.direction[k]);
-        }
-    }
-
 private:
     // Calls function(first, end) for the rays of neighbours.
     template <class Function>
@@ -113,8 +105,14 @@ uint32_t hide_penumbra(const Shadows& shadows, const PreparedLight& light, uint3
     Penumbra penumbra(shadows, light, ray_count, memory);
     penumbra.probe();
     penumbra.sample(sphere_points().first(light.shadow_samples));
-    penumbra.end();
     return penumbra.weigh(light.shadow_samples, weights);
+}
+
+void list_centers_again(uint32_t ray_count, ShadowMemory& memory) {
+    for (int k = 0; k < 3; ++k) {
+        std::copy_n(memory.fixed_origin[k], ray_count, memory.origin[k]);
+        std::copy_n(memory.fixed_direction[k], ray_count, memory.direction[k]);
+    }
 }
 
 } // namespace peregrine::shade

@@ -12,4 +12,7 @@ namespace peregrine::shade {
 uint32_t hide_penumbra(const Shadows& shadows, const PreparedLight& light, uint32_t ray_count,
                        ShadowMemory& memory, LightWeights& weights);
 
+// After that: the rays toward the light's centre, for who wants to trace them once more.
+void list_centers_again(uint32_t ray_count, ShadowMemory& memory);
+
 } // namespace peregrine::shade

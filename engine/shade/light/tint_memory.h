@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/light_passing.h"
 #include "shade/surface/surface.h"
 
 #include <cstdint>
@@ -8,6 +9,8 @@ namespace peregrine::shade {
 
 // One thread's working memory for the light of one lamp that a batch gets through glass.
 struct alignas(64) TintMemory {
+    math::Box boxes[scene::kMostLightPassing]; // of what light may pass on the way
+    uint32_t box_count;
     // Rays that nothing opaque hides, of which some meet anything.
     Surface::Lanes origin[3];
     Surface::Lanes direction[3];

@@ -5,33 +5,99 @@
 #include "trace/world/stream.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace peregrine::shade {
 namespace {
 
-// Whether the ray meets the box between its ends.
-bool meets(const math::Box& box, const math::Ray& ray) {
-    double begin = ray.t_min, end = ray.t_max;
-    for (int k = 0; k < 3; ++k) {
-        const double lower = double(box.lower[k]) - double(ray.origin[k]);
-        const double upper = double(box.upper[k]) - double(ray.origin[k]);
-        if (ray.direction[k] == 0) {
-            if (lower > 0 || upper < 0) return false;
-            continue;
-        }
-        const double a = lower / double(ray.direction[k]), b = upper / double(ray.direction[k]);
-        begin = std::max(begin, std::min(a, b));
-        end = std::min(end, std::max(a, b));
+// The t >= 0 of a set of ways that may lie in a box.
+struct Times {
+    double begin = 0, end;
+
+    // Along an axis, ways come from a place and go by `least` to `most` while t grows by one; the
+    // box lies from `lower` to `upper` of that place.
+    void cut(double lower, double upper, double least, double most) {
+        keep_above(lower, most);
+        keep_above(-upper, -least);
     }
-    return begin <= end;
+    bool any() const { return begin <= end * (1 + 1e-5) + 1e-5; }
+
+private:
+    void keep_above(double bound, double rate) {
+        if (rate > 0)
+            begin = std::max(begin, bound / rate);
+        else if (rate < 0)
+            end = std::min(end, bound / rate);
+        else if (bound > 0)
+            end = -1;
+    }
+};
+
+// Whether anything between the lamp and some of the points may lie in the box.
+bool is_between(const math::Box& box, const PreparedLight& light, const math::Box& points) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const bool is_far = light.type == scene::LightType::directional;
+    Times times{.end = is_far ? kInfinity : 1};
+    for (int k = 0; k < 3; ++k) {
+        const double radius = double(light.source_radius);
+        const double lower = double(box.lower[k]), upper = double(box.upper[k]);
+        const double first = double(points.lower[k]), last = double(points.upper[k]);
+        if (is_far) {
+            const double toward = -double(light.direction[k]);
+            times.cut(lower - last, upper - first, toward - radius, toward + radius);
+        } else {
+            const double lamp = double(light.position[k]);
+            times.cut(lower - lamp - radius, upper - lamp + radius, first - lamp - radius,
+                      last - lamp + radius);
+        }
+    }
+    return times.any();
 }
+
+// A ray that is asked whether it meets boxes between its ends.
+struct BoxRay {
+    math::Vec3d origin, inverse;
+    double begin, end;
+
+    explicit BoxRay(const math::Ray& ray)
+        : origin(ray.origin), inverse(1.0 / math::Vec3d(ray.direction)), begin(ray.t_min),
+          end(ray.t_max) {}
+
+    bool meets(const math::Box& box) const {
+        double near = begin, far = end;
+        for (int k = 0; k < 3; ++k) {
+            if (std::isinf(inverse[k])) {
+                if (origin[k] < double(box.lower[k]) || origin[k] > double(box.upper[k]))
+                    return false;
+                continue;
+            }
+            const double a = (double(box.lower[k]) - origin[k]) * inverse[k];
+            const double b = (double(box.upper[k]) - origin[k]) * inverse[k];
+            near = std::max(near, std::min(a, b));
+            far = std::min(far, std::max(a, b));
+        }
+        return near <= far;
+    }
+};
 
 } // namespace
 
-Tints::Tints(const scene::Snapshot& snapshot, const SurfaceSpace& space) : snapshot_(&snapshot) {
-    bounds_.lower = math::Vec3(math::Vec3d(snapshot.light_passing.lower) - space.origin);
-    bounds_.upper = math::Vec3(math::Vec3d(snapshot.light_passing.upper) - space.origin);
+Tints::Tints(const scene::Snapshot& snapshot, const SurfaceSpace& space)
+    : snapshot_(&snapshot), origin_(space.origin) {
     filter_.alpha = scene::alpha_test(snapshot);
+}
+
+// Lists the boxes of what light may pass that lie between the points and the lamp.
+bool Tints::may_meet(const PreparedLight& light, const math::Box& points,
+                     TintMemory& memory) const {
+    memory.box_count = 0;
+    for (const math::Box& in_world : snapshot_->light_passing) {
+        const math::Box box = {math::Vec3(math::Vec3d(in_world.lower) - origin_),
+                               math::Vec3(math::Vec3d(in_world.upper) - origin_)};
+        if (is_between(box, light, points)) memory.boxes[memory.box_count++] = box;
+    }
+    return memory.box_count > 0;
 }
 
 // Of the rays that nothing opaque hides those that may pass something else.
@@ -41,7 +107,11 @@ uint32_t Tints::list(const trace::RayStream& rays, const Scratch& scratch,
     uint32_t count = 0;
     for (uint32_t k = 0; k < rays.count; ++k) {
         if (shadow.occluded[k] == ShadowMemory::kOccluded
-            || scratch.weights.diffuse[shadow.index[k]] == 0 || !meets(bounds_, ray_at(rays, k)))
+            || scratch.weights.diffuse[shadow.index[k]] == 0)
+            continue;
+        const BoxRay ray(ray_at(rays, k));
+        if (std::none_of(memory.boxes, memory.boxes + memory.box_count,
+                         [&](const math::Box& box) { return ray.meets(box); }))
             continue;
         for (int axis = 0; axis < 3; ++axis) {
             memory.origin[axis][count] = rays.origin[axis][k];
@@ -56,8 +126,9 @@ void Tints::take(const Shadows& shadows, const PreparedLight& light, uint32_t ra
                  Scratch& scratch) const {
     TintMemory& memory = *scratch.tints;
     ShadowMemory& shadow = scratch.shadow;
-    trace::RayStream rays = shadows.list(light, ray_count, shadow);
     memory.count = 0;
+    if (!may_meet(light, scratch.surface.bounds, memory)) return;
+    trace::RayStream rays = shadows.list(light, ray_count, shadow);
     rays.count = list(rays, scratch, memory);
     if (rays.count == 0) return;
     for (int axis = 0; axis < 3; ++axis) {

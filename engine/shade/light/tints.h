@@ -23,10 +23,11 @@ public:
     void give_back(const PreparedLight& light, Program program, Scratch& scratch) const;
 
 private:
+    bool may_meet(const PreparedLight& light, const math::Box& points, TintMemory& memory) const;
     uint32_t list(const trace::RayStream& rays, const Scratch& scratch, TintMemory& memory) const;
 
     const scene::Snapshot* snapshot_;
-    math::Box bounds_; // of what light may pass; relative to the SurfaceSpace's origin
+    math::Vec3d origin_; // that surfaces and lights are relative to
     trace::Filter filter_;
 };
 

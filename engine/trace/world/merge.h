@@ -18,23 +18,12 @@ inline bool within(const Instance& instance, const math::Ray& ray, const Positio
     return true;
 }
 
-inline const AlphaTest& test_of(const Instance& instance, Asks asks) {
-    switch (asks) {
-    case Asks::light:
-        return instance.light;
-    case Asks::opacity:
-        return instance.opacity;
-    default:
-        return instance.alpha;
-    }
-}
-
 inline Filter filter_within(const Filter& filter, const Instance& instance) {
     Filter within = filter;
     within.layer_mask = ~0u;
     within.ignore_mesh = geometry::kNoTriangle;
     within.ignore_more = {};
-    if (filter.alpha.present) within.alpha = test_of(instance, filter.asks);
+    if (filter.alpha.present) within.alpha = instance.tests[uint32_t(filter.asks)];
     return within;
 }
 

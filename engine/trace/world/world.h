@@ -6,6 +6,7 @@
 #include "trace/kernels.h"
 #include "trace/world/position.h"
 
+#include <array>
 #include <cstdint>
 
 namespace peregrine::trace {
@@ -18,6 +19,9 @@ struct Part {
     uint32_t first = 0;
 };
 
+// What an instance has in the place of Filter::alpha, by Asks.
+using InstanceTests = std::array<AlphaTest, kAsks>;
+
 // A mesh that moves. One with a space of its own stands somewhere in the world: what a ray hits
 // there is, by definition, what the canonical test says of the ray in that space (to_local).
 struct Instance {
@@ -26,9 +30,7 @@ struct Instance {
     Part part;
     uint32_t mesh; // slot; takes the place of that in the target's infos
     uint32_t layer_mask;
-    AlphaTest alpha;                        // of this mesh, for filters that have one, ...
-    AlphaTest light;                        // ... for those of light, ...
-    AlphaTest opacity;                      // ... and of light that may be tinted
+    InstanceTests tests;                    // of this mesh, for filters that have one
     const math::Affine* to_world = nullptr; // null without a space of its own
     bool mirrored = false;                  // by to_world
 
