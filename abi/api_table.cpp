@@ -50,6 +50,7 @@ constexpr rt_api kApi = {
     .add_program = rt_add_program,
     .remove_program = rt_remove_program,
     .adapt_exposure = rt_adapt_exposure,
+    .bake_light = rt_bake_light,
 };
 
 constexpr const char* kResultNames[] = {

@@ -118,7 +118,8 @@ void read_tail(const rt_frame_desc& in, render::Frame& frame) {
     frame.airlight_block = block;
     require_flag(in.tinted_shadows, "rt_frame_desc.tinted_shadows");
     frame.tinted_shadows = in.tinted_shadows != 0;
-    require_zero(in.reserved, "rt_frame_desc.reserved");
+    require_flag(in.baked_light, "rt_frame_desc.baked_light");
+    frame.baked_light = in.baked_light != 0;
     require_flag(in.measure_luminance, "rt_frame_desc.measure_luminance");
     frame.measures_luminance = in.measure_luminance != 0;
 }

@@ -48,6 +48,8 @@ PEREGRINE_RELEASED(rt_frame_desc, 120, 128, 160, 168, 192, 232, 240, 248);
 PEREGRINE_RELEASED(rt_frame_stats, 40, 56, 64, 80, 88, 104, 112);
 PEREGRINE_RELEASED(rt_governor, 184);
 PEREGRINE_RELEASED(rt_exposure, 32);
+PEREGRINE_RELEASED(rt_bake_desc, 48);
+PEREGRINE_RELEASED(rt_bake_report, 48);
 PEREGRINE_RELEASED(rt_scene_stats, 64);
 
 #undef PEREGRINE_RELEASED

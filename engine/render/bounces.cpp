@@ -20,7 +20,7 @@ void shade_and_follow(const Plan& plan, TileBuffers& buffers, uint32_t count, fl
                               buffers.colors.channel[2]};
     buffers.for_each_batch(count, [&](shade::RayHits hits, uint32_t first) {
         hits.footprint *= footprint;
-        plan.shader.take_openness(hits, openness ? openness + first : nullptr, scratch);
+        plan.shader.take_surroundings(hits, openness ? openness + first : nullptr, scratch);
         plan.shader.find_surfaces(hits, shade::SurfacePart::all, scratch);
         plan.paths.split(hits, memory, scratch);
         light(hits, first);

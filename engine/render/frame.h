@@ -114,6 +114,7 @@ struct Frame {
     uint32_t airlight_block = 1;  // ... of which this is the group's side
     std::span<const Particle> particles;
     bool measures_luminance = false;
+    bool baked_light = false; // what the snapshot's light map says is used
 
     bool is_shaded() const { return pixels && view == View::shaded; }
     bool looks_for_edges() const { return is_shaded() && approximations.edge_samples > 1; }

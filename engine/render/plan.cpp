@@ -72,6 +72,13 @@ shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera,
                          unseen_light(snapshot, frame));
     if (sees_occlusion(snapshot, frame))
         shader.occlude_ambient_light(frame.occlusion.range, frame.occlusion.samples);
+    if (frame.baked_light && snapshot.light_map) {
+        const scene::LightMap& map = *snapshot.light_map;
+        const bool is_same = map.openness.any() && map.range == frame.occlusion.range;
+        if (shader.finds_openness() && is_same && !shader.space().is_elsewhere)
+            shader.recall_openness(map.openness);
+        if (frame.is_shaded() && map.bounced.any()) shader.add_bounced_light(map.bounced);
+    }
     if (frame.tinted_shadows && !lights.empty()
         && (snapshot.features & scene::kLightPassingFeatures))
         shader.tint_light();

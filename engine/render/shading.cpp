@@ -65,7 +65,7 @@ void shade_blocks(const Plan& plan, TileBuffers& buffers) {
     buffers.for_each_batch([&](const shade::RayHits& hits, uint32_t first) {
         plan.shader.find_surfaces(hits, plan.shader.part_beside_light(), buffers.scratch);
         take_light(plan, hits, first, buffers);
-        plan.shader.take_openness(hits, buffers.openness_from(first), buffers.scratch);
+        plan.shader.take_surroundings(hits, buffers.openness_from(first), buffers.scratch);
         plan.shader.find_radiance(hits, buffers.colors_from(first).channel, buffers.scratch);
     });
 }

@@ -98,6 +98,12 @@ void Commit::share_lights() {
                                           scene_.scheduler, &scene_.recycled);
 }
 
+void Commit::show_light_map() {
+    const std::lock_guard lock(scene_.light_map_mutex_);
+    if (scene_.light_map_ && scene_.light_map_->geometry == snapshot_.fixed)
+        snapshot_.light_map = scene_.light_map_;
+}
+
 trace::Part Commit::part_of(const Geometry& geometry, uint64_t first) const {
     if (first + geometry.infos.size() >= geometry::kNoTriangle)
         base::fail(base::Code::limit,
@@ -195,6 +201,7 @@ void Commit::prepare() {
     find_bounds();
     prove_lights();
     share_lights();
+    show_light_map();
     if (options_.progress.cancels(1.0f))
         base::fail(base::Code::cancelled, "the commit was cancelled by its progress callback");
 }
@@ -205,6 +212,7 @@ void Commit::remember() noexcept {
     scene_.fixed_changed_ = false;
     scene_.views_.swap(views_);
     scene_.light_set_ = snapshot_.lights;
+    if (!snapshot_.light_map) scene_.set_light_map(nullptr); // it is of triangles that went
     ++scene_.version_;
 }
 

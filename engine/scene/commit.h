@@ -53,6 +53,7 @@ private:
     LightNumbers keep_proofs();
     void prove_lights();
     void share_lights();
+    void show_light_map();
 
     void count(const MeshDescription& mesh, CommitReport& report) const;
     void count(const Geometry& shape, MeshKind kind, CommitReport& report) const;

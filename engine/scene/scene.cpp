@@ -56,6 +56,11 @@ void Scene::set_origin(const math::Vec3d& origin) {
             slot.object->stand(slot.object->transform, origin_);
 }
 
+void Scene::set_light_map(std::shared_ptr<const LightMap> map) {
+    const std::lock_guard lock(light_map_mutex_);
+    light_map_.swap(map);
+}
+
 void Scene::touch_flags() {
     touch_triangles(MeshKind::fixed);
     ++flags_version_;

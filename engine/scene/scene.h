@@ -9,6 +9,7 @@
 #include "base/slot_map.h"
 #include "scene/fog.h"
 #include "scene/light.h"
+#include "scene/light_map.h"
 #include "scene/light_view.h"
 #include "scene/lights/light_set.h"
 #include "scene/material.h"
@@ -20,6 +21,7 @@
 #include "trace/kernels.h"
 
 #include <memory>
+#include <mutex>
 
 namespace peregrine::scene {
 
@@ -161,6 +163,9 @@ public:
     // ... when flags_of() a material changed: triangles carry them.
     void touch_flags();
 
+    // What the next commits show, as long as the fixed meshes stay as they are. Any thread.
+    void set_light_map(std::shared_ptr<const LightMap> map);
+
     CommitReport commit(const CommitOptions& options);
     uint64_t version() const { return version_; }
     base::Isa isa() const { return isa_; }
@@ -182,6 +187,8 @@ private:
     uint64_t commits_begun_ = 0;
     base::Vector<LightView> views_;             // by slot of the light: what was proved of it
     std::shared_ptr<const LightSet> light_set_; // of the last commit
+    std::mutex light_map_mutex_;
+    std::shared_ptr<const LightMap> light_map_; // that was baked last
     Extents extents_;                           // room for commits to work in
     base::Vector<accel::instances::Place> places_;
 };

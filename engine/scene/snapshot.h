@@ -5,6 +5,7 @@
 #include "scene/fog.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
+#include "scene/light_map.h"
 #include "scene/lights/light_set.h"
 #include "scene/material_set.h"
 #include "scene/mesh.h"
@@ -56,10 +57,11 @@ struct Snapshot {
     std::shared_ptr<const Geometry> fixed; // of all fixed meshes
     std::shared_ptr<const MaterialSet> material_set;
     std::shared_ptr<const LightSet> lights;
-    trace::World world;                 // into these and the shapes of the meshes
-    base::Vector<Mesh> meshes;          // by slot
-    base::Vector<uint32_t> layer_masks; // by slot, for the kernels
-    base::Vector<uint32_t> generations; // by slot, for hits
+    std::shared_ptr<const LightMap> light_map; // of the fixed meshes; null: nothing was baked
+    trace::World world;                        // into these and the shapes of the meshes
+    base::Vector<Mesh> meshes;                 // by slot
+    base::Vector<uint32_t> layer_masks;        // by slot, for the kernels
+    base::Vector<uint32_t> generations;        // by slot, for hits
     base::Vector<Placement> placements;
     base::Vector<trace::Instance> instances; // of meshes that move and are not hidden
     base::Vector<accel::instances::Node> instance_nodes;

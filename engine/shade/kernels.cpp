@@ -8,6 +8,7 @@
 
 #include "shade/air/airlight-inl.h"
 #include "shade/air/fog-inl.h"
+#include "shade/baked/recall_light-inl.h"
 #include "shade/blocks/blocks-inl.h"
 #include "shade/kernels.h"
 #include "shade/light/directional-inl.h"
@@ -57,15 +58,15 @@ constexpr ByProgram<AddLight> add_by_program(List<Program...>) {
     return {add_light<Program>...};
 }
 
-template <bool Open, bool Emissive, class... Program>
+template <Surroundings From, bool Emissive, class... Program>
 constexpr ByProgram<FindRadiance> radiance_by_program(List<Program...>) {
-    return {find_radiance<Program, Open, Emissive>...};
+    return {find_radiance<Program, From, Emissive>...};
 }
 
-template <bool Open>
+template <Surroundings From>
 constexpr std::array<ByProgram<FindRadiance>, 2> radiance_by_emission() {
-    return {radiance_by_program<Open, false>(Programs()),
-            radiance_by_program<Open, true>(Programs())};
+    return {radiance_by_program<From, false>(Programs()),
+            radiance_by_program<From, true>(Programs())};
 }
 
 template <bool Spot, size_t... Law>
@@ -77,9 +78,12 @@ constexpr Kernels kKernels = {
     {find_surfaces<SurfacePart::all>, find_surfaces<SurfacePart::geometry>,
      find_surfaces<SurfacePart::colors>, find_surfaces<SurfacePart::geometry>},
     recall,
+    recall_openness,
+    recall_bounced,
     weigh_by_kind(LightKinds()),
     add_by_program(Programs()),
-    {radiance_by_emission<false>(), radiance_by_emission<true>()},
+    {radiance_by_emission<Surroundings::even>(), radiance_by_emission<Surroundings::hidden>(),
+     radiance_by_emission<Surroundings::bright>()},
     block_is_smooth,
     interpolate_block,
     paint_sky,

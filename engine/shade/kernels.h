@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/isa.h"
+#include "scene/light_map.h"
 #include "scene/lights/prepared_light.h"
 #include "scene/snapshot.h"
 #include "shade/air/air_ways.h"
@@ -89,11 +90,16 @@ struct Kernels {
     uint32_t (*recall)(const trace::visibility::PointVisibility& visibility, const Surface& surface,
                        uint32_t first_moving, const RayHits& hits, uint32_t* states);
 
+    // See baked/recall_light-inl.h.
+    void (*recall_openness)(const scene::PointGrids& grids, const RayHits& hits, float* openness);
+    void (*recall_bounced)(const scene::PointGrids& grids, const RayHits& hits,
+                           float* const bounced[3]);
+
     std::array<WeighLights, 3> weigh_light; // by type of light
 
     ByProgram<AddLight> add_light;
-    // Whether light has an openness, and surfaces are emissive.
-    std::array<std::array<ByProgram<FindRadiance>, 2>, 2> find_radiance;
+    // By Surroundings, and whether surfaces are emissive.
+    std::array<std::array<ByProgram<FindRadiance>, 2>, kSurroundings> find_radiance;
 
     // Of blocks of a tile (blocks/blocks-inl.h).
     bool (*block_is_smooth)(const float* t, uint32_t side, float pixel, float part);

@@ -28,14 +28,23 @@ void Shader::gather_light(const RayHits& hits, Scratch& scratch, BatchMarks* mar
     if (spares) programs_.turn_back(scratch);
 }
 
-// What textures hide, they hide of what rays found to arrive.
+Surroundings Shader::surroundings() const {
+    if (bounced_grids_) return Surroundings::bright;
+    const bool hides = finds_openness() || (features_ & scene::kOcclusionTextures);
+    return hides ? Surroundings::hidden : Surroundings::even;
+}
+
+// What textures hide, they hide of what rays found to arrive, and of what other surfaces send.
 void Shader::apply_occlusion_textures(uint32_t count, Scratch& scratch) const {
     const float* const texture = scratch.surface.occlusion;
-    float* const openness = scratch.light.openness;
-    if (finds_openness())
-        for (uint32_t i = 0; i < count; ++i) openness[i] *= texture[i];
+    Illumination& light = scratch.light;
+    if (finds_openness() || bounced_grids_)
+        for (uint32_t i = 0; i < count; ++i) light.openness[i] *= texture[i];
     else
-        std::copy_n(texture, count, openness);
+        std::copy_n(texture, count, light.openness);
+    if (!bounced_grids_) return;
+    for (auto& channel : light.bounced)
+        for (uint32_t i = 0; i < count; ++i) channel[i] *= texture[i];
 }
 
 void Shader::find_radiance(const RayHits& hits, float* const radiance[3], Scratch& scratch,
@@ -43,25 +52,47 @@ void Shader::find_radiance(const RayHits& hits, float* const radiance[3], Scratc
     const bool emissive = features_ & scene::kEmissive;
     const bool has_textures = features_ & scene::kOcclusionTextures;
     if (has_textures) apply_occlusion_textures(hits.count, scratch);
-    const bool opens = finds_openness() || has_textures;
-    kernels_->find_radiance[opens][emissive][uint32_t(program_)](
+    const Surroundings from = surroundings();
+    kernels_->find_radiance[uint32_t(from)][emissive][uint32_t(program_)](
         scratch.surface, scratch.light, hits, snapshot_->environment, radiance);
-    if (has_programs()) programs_.run(hits, radiance, scratch, opens, rays);
+    if (has_programs()) programs_.run(hits, radiance, scratch, from, rays);
 }
 
-void Shader::take_openness(const RayHits& hits, const float* openness, Scratch& scratch) const {
-    if (!finds_openness()) return;
+void Shader::find_openness(const RayHits& hits, Scratch& scratch, float* openness) const {
+    find_surfaces(hits, SurfacePart::smooth, scratch);
+    openness_->find(hits, scratch.surface, scratch.shadow, *scratch.openness, openness);
+}
+
+// What moves was not there: rays ask for it alone.
+void Shader::recall_openness(const RayHits& hits, Scratch& scratch, float* openness) const {
+    kernels_->recall_openness(*openness_grids_, hits, openness);
+    if (!snapshot_->world.nodes) return;
+    find_surfaces(hits, SurfacePart::smooth, scratch);
+    openness_->hide_by_moving(hits, scratch.surface, scratch.shadow, *scratch.openness, openness);
+}
+
+void Shader::take_surroundings(const RayHits& hits, const float* openness, Scratch& scratch) const {
+    Illumination& light = scratch.light;
     if (openness) {
-        std::copy_n(openness, hits.count, scratch.light.openness);
-    } else {
-        find_surfaces(hits, SurfacePart::smooth, scratch);
-        find_openness(hits, scratch, scratch.light.openness);
+        std::copy_n(openness, hits.count, light.openness);
+    } else if (finds_openness()) {
+        std::fill_n(light.openness, hits.count, -1.0f);
+        if (recalls_openness()) recall_openness(hits, scratch, light.openness);
+        const auto is_unknown = [](float value) { return value < 0; };
+        if (std::any_of(light.openness, light.openness + hits.count, is_unknown))
+            find_openness(hits, scratch, light.openness);
+    } else if (bounced_grids_) {
+        std::fill_n(light.openness, hits.count, 1.0f);
+    }
+    if (bounced_grids_) {
+        float* const bounced[3] = {light.bounced[0], light.bounced[1], light.bounced[2]};
+        kernels_->recall_bounced(*bounced_grids_, hits, bounced);
     }
 }
 
 void Shader::shade(const RayHits& hits, float* const radiance[3], Scratch& scratch,
                    const float* openness) const {
-    take_openness(hits, openness, scratch);
+    take_surroundings(hits, openness, scratch);
     find_surfaces(hits, SurfacePart::all, scratch);
     gather_light(hits, scratch, nullptr);
     find_radiance(hits, radiance, scratch);

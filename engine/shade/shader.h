@@ -30,6 +30,11 @@ public:
     void tint_light() { lighting_.tint(); }
     bool tints_light() const { return lighting_.tints(); }
     bool finds_openness() const { return openness_.has_value(); }
+    // From here on, openness is what these say, where they know that.
+    void recall_openness(const scene::PointGrids& grids) { openness_grids_ = &grids; }
+    bool recalls_openness() const { return openness_grids_ != nullptr; }
+    // From here on, surfaces get the light that others send, where these know that.
+    void add_bounced_light(const scene::PointGrids& grids) { bounced_grids_ = &grids; }
 
     // Fills scratch.surface.
     void find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const;
@@ -37,14 +42,14 @@ public:
     // Fills scratch.light for scratch.surface; see Lighting::gather.
     void gather_light(const RayHits& hits, Scratch& scratch, BatchMarks* marks) const;
 
-    // Of scratch.surface, which is SurfacePart::smooth.
-    void find_openness(const RayHits& hits, Scratch& scratch, float* openness) const {
-        openness_->find(hits, scratch.surface, scratch.shadow, *scratch.openness, openness);
-    }
+    // Of hits. Fills scratch.surface with SurfacePart::smooth.
+    void find_openness(const RayHits& hits, Scratch& scratch, float* openness) const;
+    // What is recalled of it; where that is nothing, it is negative. May fill scratch.surface.
+    void recall_openness(const RayHits& hits, Scratch& scratch, float* openness) const;
 
-    // Fills scratch.light.openness, if it is wanted: with that, or if it is null by rays of these
-    // hits. These need scratch.surface.
-    void take_openness(const RayHits& hits, const float* openness, Scratch& scratch) const;
+    // Fills what scratch.light has of surroundings. `openness`: if it is known, else null; then
+    // scratch.surface is used.
+    void take_surroundings(const RayHits& hits, const float* openness, Scratch& scratch) const;
 
     // From scratch.surface and scratch.light. `rays`: as of Programs::run.
     void find_radiance(const RayHits& hits, float* const radiance[3], Scratch& scratch,
@@ -74,6 +79,7 @@ public:
     Program program() const { return program_; }
 
 private:
+    Surroundings surroundings() const;
     void apply_occlusion_textures(uint32_t count, Scratch& scratch) const;
 
     const scene::Snapshot* snapshot_;
@@ -83,6 +89,8 @@ private:
     Program program_;
     Lighting lighting_;
     std::optional<Openness> openness_;
+    const scene::PointGrids* openness_grids_ = nullptr;
+    const scene::PointGrids* bounced_grids_ = nullptr;
     Programs programs_;
 };
 

@@ -94,6 +94,7 @@ static void print_table(void) {
     FIELD(rt_api, add_program);
     FIELD(rt_api, remove_program);
     FIELD(rt_api, adapt_exposure);
+    FIELD(rt_api, bake_light);
 }
 
 int main(void) {

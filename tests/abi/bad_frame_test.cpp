@@ -163,8 +163,8 @@ TEST_F(BadFrame, Airlight) {
                      "rt_frame_desc.airlight_block is");
     refuse_frame([](rt_frame_desc& d) { d.tinted_shadows = 2; }, RT_ERROR_INVALID_ARGUMENT,
                  "rt_frame_desc.tinted_shadows is 2");
-    refuse_frame([](rt_frame_desc& d) { d.reserved = 1; }, RT_ERROR_INVALID_ARGUMENT,
-                 "rt_frame_desc.reserved is 1");
+    refuse_frame([](rt_frame_desc& d) { d.baked_light = 2; }, RT_ERROR_INVALID_ARGUMENT,
+                 "rt_frame_desc.baked_light is 2");
     refuse_frame([](rt_frame_desc& d) { d.measure_luminance = 2; }, RT_ERROR_INVALID_ARGUMENT,
                  "rt_frame_desc.measure_luminance is 2");
 }

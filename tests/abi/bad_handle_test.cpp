@@ -42,6 +42,7 @@ void expect_all_refuse(rt_scene scene, const World& world, const std::string& wo
         rt_set_environment(scene, &environment),
         rt_set_fog(scene, &fog),
         rt_commit_scene(scene, nullptr, nullptr),
+        rt_bake_light(scene, nullptr, nullptr),
         rt_trace_query(scene, &query),
         rt_resolve_hits(scene, nullptr, 0, 0, nullptr, 0),
         rt_render_frame(scene, &camera, &frame, nullptr),

@@ -10,7 +10,7 @@ protected:
     // Hands `call` the struct with sizes that it never had, and one from a newer header.
     template <class Struct>
     void check_sizes(const Struct& good, const std::string& name,
-                     const std::function<rt_result(const Struct*)>& call) {
+                     const std::function<rt_result(const Struct*)>& call, bool optional = false) {
         struct Newer {
             Struct known;
             uint64_t tail[4];
@@ -26,7 +26,10 @@ protected:
         expect_refused(call(&newer.known), RT_ERROR_INVALID_STRUCT, "newer library");
         newer.tail[2] = 0;
         EXPECT_OK(call(&newer.known));
-        expect_refused(call(nullptr), RT_ERROR_INVALID_ARGUMENT, name + " is null");
+        if (optional)
+            EXPECT_OK(call(nullptr));
+        else
+            expect_refused(call(nullptr), RT_ERROR_INVALID_ARGUMENT, name + " is null");
     }
 
     // As above, of a struct that the library fills: its tail is zeroed, its size stays.
@@ -149,6 +152,19 @@ TEST_F(BadStruct, QueryAndFrame) {
     check_output<rt_frame_stats>(
         rt_default_frame_stats(), "rt_frame_stats",
         [&](rt_frame_stats* stats) { return rt_render_frame(scene(), &camera, &frame, stats); });
+}
+
+TEST_F(BadStruct, Bake) {
+    rt_bake_desc desc = rt_default_bake_desc();
+    desc.samples = 1;
+    desc.spacing = 100;
+    check_sizes<rt_bake_desc>(
+        desc, "rt_bake_desc",
+        [&](const rt_bake_desc* d) { return rt_bake_light(scene(), d, nullptr); },
+        /*optional=*/true);
+    check_output<rt_bake_report>(
+        rt_default_bake_report(), "rt_bake_report",
+        [&](rt_bake_report* report) { return rt_bake_light(scene(), &desc, report); });
 }
 
 TEST_F(BadStruct, Exposure) {

@@ -31,6 +31,20 @@ void Fuzzer::commit() {
     require(last_ == RT_OK && stats.snapshots_alive <= 1, "snapshots pile up");
 }
 
+void Fuzzer::bake() {
+    rt_bake_desc desc = rt_default_bake_desc();
+    desc.samples = 1 + random_.below(3);
+    desc.occlusion_range = random_.one_in(2) ? 1.0f : std::fabs(random_.number());
+    desc.bounces = random_.below(2);
+    desc.spacing = 2 + std::fabs(random_.number());
+    desc.most_bytes = random_.below(1u << 16);
+    int calls = int(random_.below(6));
+    desc.progress = [](void* user, float) -> int32_t { return --*static_cast<int*>(user) < 0; };
+    if (random_.one_in(2)) desc.progress = nullptr;
+    desc.progress_user = &calls;
+    check(rt_bake_light(scene_, &desc, nullptr));
+}
+
 void Fuzzer::render() {
     rt_frame_desc frame = rt_default_frame_desc();
     static constexpr uint32_t kBytes[] = {4, 4, 4, 8, 16};
@@ -44,7 +58,8 @@ void Fuzzer::render() {
     frame.texture_filter = rt_texture_filter(random_.below(2));
     frame.edge_samples = random_.below(6);
     frame.max_depth = random_.below(6);
-    if (random_.one_in(2)) frame.occlusion_range = std::fabs(random_.number());
+    if (random_.one_in(2))
+        frame.occlusion_range = random_.one_in(2) ? 1.0f : std::fabs(random_.number());
     frame.occlusion_samples = random_.below(24);
     frame.occlusion_block = random_.below(3) * 4;
     if (random_.one_in(2)) frame.bloom = random_.unit();
@@ -54,6 +69,7 @@ void Fuzzer::render() {
     frame.airlight_block = random_.below(5);
     frame.measure_luminance = random_.below(2);
     frame.tinted_shadows = random_.below(2);
+    frame.baked_light = random_.below(2);
     frame.render_width = random_.below(frame.width + 1);
     const uint64_t row = frame.width * kBytes[frame.format];
     frame.row_stride = random_.one_in(2) ? 0 : row + random_.below(20);

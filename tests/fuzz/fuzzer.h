@@ -76,7 +76,7 @@ public:
     Fuzzer& operator=(const Fuzzer&) = delete;
 
     void step() {
-        switch (random_.below(23)) {
+        switch (random_.below(24)) {
         case 0:
             return add_texture();
         case 1:
@@ -114,6 +114,8 @@ public:
             return add_program();
         case 18:
             return remove(programs_, rt_remove_program);
+        case 19:
+            return bake();
         default:
             return query();
         }
@@ -167,6 +169,7 @@ private:
     void set_environment();
     void adapt_exposure();
     void commit();
+    void bake();
     void render();
     void query();
     void query_arrays(rt_query_desc desc, rt_result expected, const std::vector<rt_hit>& hits);

@@ -39,6 +39,7 @@ inline void set_options(Look look, rt_frame_desc& frame) {
     frame.least_light = 0;
     frame.edge_samples = 1;
     frame.tinted_shadows = 0;
+    frame.baked_light = 0;
     frame.render_width = frame.render_height = 0;
 }
 inline uint64_t count_proofs(const rt_commit_report& report) {

@@ -859,6 +859,61 @@ RT_EXPORT rt_result rt_hold_snapshot(rt_scene scene, rt_snapshot* out_snapshot) 
  * next commit. Thread safety: any thread, any time. */
 RT_EXPORT rt_result rt_release_snapshot(rt_scene scene, rt_snapshot snapshot) RT_NOEXCEPT;
 
+/* Baking: what comes to the fronts of static meshes from all around, found once for all frames. */
+typedef struct rt_bake_desc {
+    uint32_t struct_size;
+    uint32_t samples;      /* rays a point, at most 256; 0: 64 */
+    float occlusion_range; /* as that of frames, and for those that have the same; 0: none is
+                              baked */
+    uint32_t bounces;      /* how often light goes on from surface to surface, at most 8; 0: none is
+                              baked. rt_default_bake_desc() has 1 */
+    float spacing;   /* metres, > 0; 0: 0.5. So near to each other are points of occlusion where it
+                        changes, and those of light at four times that. A triangle has at most
+                        8,385 */
+    float tolerance; /* it does where a point is not what lies between its neighbours, by such a
+                        part of the ambient light; of light by five times that of its own. >= 0.
+                        rt_default_bake_desc() has 0.05 */
+    uint64_t most_bytes;           /* 0: 64 MiB. What would be more gets fewer points */
+    rt_progress_function progress; /* null: none */
+    void* progress_user;
+} rt_bake_desc;
+
+static inline rt_bake_desc rt_default_bake_desc(void) {
+    rt_bake_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.occlusion_range = 1.0f;
+    desc.bounces = 1;
+    desc.tolerance = 0.05f;
+    return desc;
+}
+
+typedef struct rt_bake_report {
+    uint32_t struct_size;
+    uint32_t reserved;
+    uint64_t point_count;   /* that are kept */
+    uint64_t sampled_count; /* that rays went out from, in all bounces */
+    uint64_t rays;          /* with those to lamps */
+    uint64_t bytes;
+    double bake_ms;
+} rt_bake_report;
+
+static inline rt_bake_report rt_default_bake_report(void) {
+    rt_bake_report report;
+    memset(&report, 0, sizeof report);
+    report.struct_size = (uint32_t)sizeof report;
+    return report;
+}
+
+/* Finds it for the current snapshot, with all its lamps and with what glows, but without what moves
+ * and without the sky. Commits from then on show it, until the static meshes change. Lamps and
+ * materials that change later leave it as it is: bake again. Frames may go on meanwhile, and so may
+ * commits. desc and out_report may be null. Errors: INVALID_ARGUMENT, NOT_COMMITTED, CANCELLED,
+ * LIMIT (most_bytes is too little for three points a triangle), OUT_OF_MEMORY; what was baked
+ * before then stays. Thread safety: any thread, any time. */
+RT_EXPORT rt_result rt_bake_light(rt_scene scene, const rt_bake_desc* desc,
+                                  rt_bake_report* out_report) RT_NOEXCEPT;
+
 /* -------------------------------------------------------------------------------------- query */
 
 /* A ray, or a segment: the points origin + t direction with t_min <= t <= t_max, ends included.
@@ -1459,7 +1514,9 @@ typedef struct rt_frame_desc {
                                 what they let through of a picture, but on a straight line; none of
                                 it beyond 64 surfaces. 0: a shadow is whole or none, and what keeps
                                 half of the light casts one. rt_default_frame_desc() has 1 */
-    uint32_t reserved;       /* 0 */
+    uint32_t baked_light;    /* 0 or 1. 1: static meshes get the light between surfaces that
+                                rt_bake_light() found, and with its occlusion_range also the ambient
+                                occlusion, instead of by rays. rt_default_frame_desc() has 1 */
 } rt_frame_desc;
 
 static inline rt_frame_desc rt_default_frame_desc(void) {
@@ -1482,6 +1539,7 @@ static inline rt_frame_desc rt_default_frame_desc(void) {
     desc.airlight_shadows = 8;
     desc.airlight_block = 2;
     desc.tinted_shadows = 1;
+    desc.baked_light = 1;
     return desc;
 }
 
@@ -1669,6 +1727,7 @@ typedef struct rt_api {
     rt_result (*add_program)(rt_scene scene, const rt_program_desc* desc, rt_program* out_program);
     rt_result (*remove_program)(rt_scene scene, rt_program program);
     rt_result (*adapt_exposure)(rt_exposure* exposure, float mean_luminance, float seconds);
+    rt_result (*bake_light)(rt_scene scene, const rt_bake_desc* desc, rt_bake_report* out_report);
 } rt_api;
 
 /* The table for hosts that load the library by hand; look this one symbol up. `version` is the

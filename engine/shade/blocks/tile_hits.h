@@ -3,6 +3,7 @@
 #include "shade/surface/ray_hits.h"
 #include "shade/surface/surface.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace peregrine::shade {
@@ -17,6 +18,17 @@ struct TileHits {
     const uint32_t* back_face;
     uint32_t count;
     float footprint; // see RayHits
+
+    RayHits batch(uint32_t first) const {
+        return {{direction[0] + first, direction[1] + first, direction[2] + first},
+                u + first,
+                v + first,
+                triangle + first,
+                back_face + first,
+                t + first,
+                std::min(count - first, kBatch),
+                footprint};
+    }
 };
 
 // Some rays of a tile as a batch of points.

@@ -36,6 +36,12 @@ bool Shadows::something_moves_before(const PreparedLight& light, const math::Box
     return trace::moving_may_meet(snapshot_->world, segments);
 }
 
+bool Shadows::something_moves_near(const math::Box& points, float distance) const {
+    if (!snapshot_->world.nodes || points.empty()) return false;
+    const math::Vec3 reach(distance);
+    return trace::moving_may_meet(snapshot_->world, {points.lower - reach, points.upper + reach});
+}
+
 trace::RayStream Shadows::list(const PreparedLight& light, uint32_t ray_count,
                                ShadowMemory& memory) const {
     trace::RayStream rays = {{memory.origin[0], memory.origin[1], memory.origin[2]},
@@ -79,6 +85,12 @@ void Shadows::trace(const PreparedLight& light, uint32_t ray_count, ShadowMemory
 void Shadows::trace_any(const trace::RayStream& rays, ShadowMemory& memory) const {
     trace::occluded(snapshot_->world, in_world(rays, memory), positions_of(rays), filter_,
                     memory.occluded);
+}
+
+void Shadows::trace_moving(const trace::RayStream& rays, ShadowMemory& memory) const {
+    std::fill_n(memory.occluded, rays.count, ShadowMemory::kFree);
+    trace::occluded_by_moving(snapshot_->world, in_world(rays, memory), positions_of(rays), filter_,
+                              memory.occluded);
 }
 
 uint32_t Shadows::hide_occluded(const PreparedLight& light, uint32_t ray_count, bool some_are_lit,

@@ -24,6 +24,9 @@ public:
     // Whether anything that moves may be in the way from the points to the light.
     bool something_moves_before(const PreparedLight& light, const math::Box& points) const;
 
+    // ... within a distance from the points.
+    bool something_moves_near(const math::Box& points, float distance) const;
+
     // Traces the first `ray_count` rays that are listed in `memory`, and takes the light away where
     // something is in between; returns of how many rays. `some_are_lit`: those with State::lit in
     // memory.states are so as far as fixed triangles are concerned.
@@ -35,6 +38,8 @@ public:
 
     // ... for any rays, whose origins are relative to `space.origin`.
     void trace_any(const trace::RayStream& rays, ShadowMemory& memory) const;
+    // ... of which only what moves is asked.
+    void trace_moving(const trace::RayStream& rays, ShadowMemory& memory) const;
 
     // The first `ray_count` rays of `memory`, as they are traced.
     trace::RayStream list(const PreparedLight& light, uint32_t ray_count,

@@ -11,9 +11,33 @@ BlockOpenness::BlockOpenness(const Shader& shader, const OpennessTolerance& tole
       least_cosine_(1 - 0.5f * tolerance.normal * tolerance.normal), pixel_(pixel) {}
 
 void BlockOpenness::find(const TileHits& hits, TileOpenness& out, Scratch& scratch) const {
+    if (shader_.recalls_openness()) recall(hits, out, scratch);
     for (uint32_t level = BlockLists::kLevels; level-- > 0;) try_blocks(hits, level, out, scratch);
     if (out.blocks.uneven.count > 0) try_quads(hits, out, scratch);
     find_wanted(hits, out, scratch);
+}
+
+// Of the whole tile, before anything is asked.
+void BlockOpenness::recall(const TileHits& hits, TileOpenness& out, Scratch& scratch) const {
+    for (uint32_t first = 0; first < hits.count; first += kBatch) {
+        const RayHits batch = hits.batch(first);
+        float* const openness = out.openness + first;
+        shader_.recall_openness(batch, scratch, openness);
+        for (uint32_t i = 0; i < batch.count; ++i) {
+            const bool known = openness[i] >= 0;
+            out.recalled[first + i] = out.found[first + i] = known;
+            if (known) out.wanted[first + i] = 0;
+        }
+    }
+}
+
+// Whether nothing of the block was recalled. If something was, its rest is asked pixel by pixel.
+bool BlockOpenness::keeps(const Block& block, TileOpenness& out) {
+    const bool* const begin = out.recalled + block.first;
+    const auto count = uint32_t(std::count(begin, begin + block.size(), true));
+    if (count == 0) return true;
+    if (count < block.size()) out.blocks.cut(block);
+    return false;
 }
 
 void BlockOpenness::try_blocks(const TileHits& hits, uint32_t level, TileOpenness& out,
@@ -23,6 +47,7 @@ void BlockOpenness::try_blocks(const TileHits& hits, uint32_t level, TileOpennes
     uint32_t kept = 0;
     for (uint32_t i = 0; i < list.count; ++i) {
         const Block block = list.blocks[i];
+        if (!keeps(block, out)) continue;
         if (!kernels.block_is_smooth(hits.t + block.first, block.side, pixel_, tolerance_.plane)) {
             out.blocks.cut(block);
             continue;
@@ -87,7 +112,7 @@ bool BlockOpenness::is_even(const Block& block, const TileOpenness& found) const
 void BlockOpenness::find_wanted(const TileHits& hits, TileOpenness& out, Scratch& scratch) const {
     out.picked.for_each_batch(out.wanted, hits.count, TileOpenness::kWanted, [&](uint32_t count) {
         const RayHits points = out.picked.pick(hits, count);
-        shader_.find_surfaces(points, SurfacePart::smooth, scratch);
+        std::fill_n(out.batch, count, -1.0f);
         shader_.find_openness(points, scratch, out.batch);
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t ray = out.picked.ray[i];

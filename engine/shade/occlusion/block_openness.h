@@ -26,6 +26,8 @@ public:
     void find(const TileHits& hits, TileOpenness& out, Scratch& scratch) const;
 
 private:
+    void recall(const TileHits& hits, TileOpenness& out, Scratch& scratch) const;
+    static bool keeps(const Block& block, TileOpenness& out);
     void try_blocks(const TileHits& hits, uint32_t level, TileOpenness& out,
                     Scratch& scratch) const;
     void try_quads(const TileHits& hits, TileOpenness& out, Scratch& scratch) const;

@@ -13,72 +13,57 @@ Openness::Openness(const scene::Snapshot& snapshot, const SurfaceSpace& space, f
 
 void Openness::find(const RayHits& hits, const Surface& surface, ShadowMemory& shadow,
                     OpennessMemory& memory, float* openness) const {
-    std::fill_n(openness, hits.count, 1.0f);
-    const uint32_t count = list_points(hits, surface, shadow, memory);
+    const auto is_wanted = [&](uint32_t i) { return openness[i] < 0; };
+    for (uint32_t i = 0; i < hits.count; ++i)
+        if (hits.triangle[i] == geometry::kNoTriangle) openness[i] = 1;
+    memory.points.list(surface, hits.count, is_wanted, shadow.origin);
+    find_free_parts(World::whole, shadow, memory);
+    for (uint32_t i = 0; i < memory.points.count; ++i)
+        openness[memory.points.index[i]] = memory.free_part[i];
+}
+
+void Openness::hide_by_moving(const RayHits& hits, const Surface& surface, ShadowMemory& shadow,
+                              OpennessMemory& memory, float* openness) const {
+    if (!shadows_.something_moves_near(surface.bounds, range_)) return;
+    const auto is_wanted = [&](uint32_t i) {
+        if (!(openness[i] > 0) || hits.triangle[i] == geometry::kNoTriangle) return false;
+        const auto& [x, y, z] = surface.position;
+        const math::Vec3 place(x[i], y[i], z[i]);
+        return shadows_.something_moves_near({place, place}, range_);
+    };
+    memory.points.list(surface, hits.count, is_wanted, shadow.origin);
+    find_free_parts(World::moving, shadow, memory);
+    for (uint32_t i = 0; i < memory.points.count; ++i)
+        openness[memory.points.index[i]] *= memory.free_part[i];
+}
+
+void Openness::find_free_parts(World world, ShadowMemory& shadow, OpennessMemory& memory) const {
+    const uint32_t count = memory.points.count;
     if (count == 0) return;
-    std::fill_n(memory.open, count, 0u);
-    for (const OpenRay& ray : rays_.all()) trace(ray, count, shadow, memory);
+    std::fill_n(memory.free, count, 0u);
+    for (const OpenRay& ray : rays_.all()) trace(ray, world, shadow, memory);
     const auto samples = float(rays_.all().size());
-    for (uint32_t i = 0; i < count; ++i)
-        openness[memory.point[i]] = float(memory.open[i]) / samples;
+    for (uint32_t i = 0; i < count; ++i) memory.free_part[i] = float(memory.free[i]) / samples;
 }
 
-// Where rays begin, and which way the surface faces there.
-uint32_t Openness::list_points(const RayHits& hits, const Surface& surface, ShadowMemory& shadow,
-                               OpennessMemory& memory) const {
-    uint32_t count = 0;
-    math::Vec3 last(0);
-    TangentFrame frame(last);
-    for (uint32_t i = 0; i < hits.count; ++i) {
-        if (hits.triangle[i] == geometry::kNoTriangle) continue;
-        const math::Vec3 normal(surface.normal[0][i], surface.normal[1][i], surface.normal[2][i]);
-        if (normal != last) frame = TangentFrame(normal);
-        last = normal;
-        for (int k = 0; k < 3; ++k) {
-            shadow.origin[k][count] = surface.position[k][i];
-            memory.geometric[k][count] = surface.geometric[k][i];
-            memory.axis[0][k][count] = frame.x[k];
-            memory.axis[1][k][count] = frame.y[k];
-            memory.axis[2][k][count] = normal[k];
-        }
-        memory.point[count++] = i;
-    }
-    return count;
-}
-
-// Where normals are interpolated, a ray may go down into its triangle: that mirrors it.
-void Openness::aim(const OpenRay& ray, uint32_t count, ShadowMemory& shadow,
-                   const OpennessMemory& memory) const {
-    const auto& [x, y, z] = memory.axis;
-    const auto& [gx, gy, gz] = memory.geometric;
-    auto& [dx, dy, dz] = shadow.direction;
-    for (int k = 0; k < 3; ++k)
-        for (uint32_t i = 0; i < count; ++i)
-            shadow.direction[k][i] =
-                (x[k][i] * ray.direction.x + y[k][i] * ray.direction.y) + z[k][i] * ray.direction.z;
-    for (uint32_t i = 0; i < count; ++i) {
-        const float rise = (gx[i] * dx[i] + gy[i] * dy[i]) + gz[i] * dz[i];
-        const float back = 2 * std::min(rise, 0.0f);
-        dx[i] -= back * gx[i];
-        dy[i] -= back * gy[i];
-        dz[i] -= back * gz[i];
-    }
-}
-
-void Openness::trace(const OpenRay& ray, uint32_t count, ShadowMemory& shadow,
+void Openness::trace(const OpenRay& ray, World world, ShadowMemory& shadow,
                      OpennessMemory& memory) const {
-    aim(ray, count, shadow, memory);
+    const uint32_t count = memory.points.count;
+    memory.points.aim(ray, shadow.direction);
     std::fill_n(memory.length, count, range_ * ray.length);
-    shadows_.trace_any({{shadow.origin[0], shadow.origin[1], shadow.origin[2]},
-                        {shadow.direction[0], shadow.direction[1], shadow.direction[2]},
-                        shadow.zeros,
-                        memory.length,
-                        count,
-                        trace::Coherence::incoherent},
-                       shadow);
+    const trace::RayStream rays = {{shadow.origin[0], shadow.origin[1], shadow.origin[2]},
+                                   {shadow.direction[0], shadow.direction[1], shadow.direction[2]},
+                                   shadow.zeros,
+                                   memory.length,
+                                   count,
+                                   trace::Coherence::incoherent};
+    if (world == World::moving)
+        shadows_.trace_moving(rays, shadow);
+    else
+        shadows_.trace_any(rays, shadow);
     memory.ray_count += count;
     for (uint32_t i = 0; i < count; ++i)
-        memory.open[i] += shadow.occluded[i] == ShadowMemory::kFree;
+        memory.free[i] += shadow.occluded[i] == ShadowMemory::kFree;
 }
 
 } // namespace peregrine::shade

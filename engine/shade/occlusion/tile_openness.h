@@ -14,7 +14,8 @@ struct alignas(64) TileOpenness {
 
     Lanes openness;
     Lanes normal[3];           // where openness was found, without normal maps
-    bool found[kMostTileRays]; // by rays
+    bool found[kMostTileRays]; // by rays, or ...
+    bool recalled[kMostTileRays];
     uint8_t wanted[kMostTileRays];
     BlockLists blocks; // uneven: not to be interpolated
     PickedHits picked;
@@ -24,6 +25,7 @@ struct alignas(64) TileOpenness {
 
     void begin(uint32_t ray_count) { // a tile
         std::fill_n(found, ray_count, false);
+        std::fill_n(recalled, ray_count, false);
         std::fill_n(wanted, ray_count, uint8_t(0));
         blocks.clear();
     }

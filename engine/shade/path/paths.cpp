@@ -201,7 +201,7 @@ void Paths::trace(PathRays& rays, PathMemory& memory) const {
 void Paths::shade(const Batch& batch, float* const colors[3], PathMemory& memory,
                   Scratch& scratch) const {
     absorb(batch.hits, batch.t, batch.media, memory);
-    shader_->take_openness(batch.hits, nullptr, scratch);
+    shader_->take_surroundings(batch.hits, nullptr, scratch);
     shader_->find_surfaces(batch.hits, SurfacePart::all, scratch);
     split(batch.hits, batch.media, memory, scratch);
     shader_->gather_light(batch.hits, scratch, nullptr);

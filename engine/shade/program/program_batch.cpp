@@ -11,9 +11,9 @@ using scene::HostProgram;
 
 BatchPacker::BatchPacker(const scene::Snapshot& snapshot, uint32_t features,
                          const SurfaceSpace& space, const RayHits& hits, const Scratch& scratch,
-                         bool finds_openness)
+                         Surroundings from)
     : snapshot_(snapshot), features_(features), space_(space), hits_(hits), scratch_(scratch),
-      memory_(*scratch.programs), finds_openness_(finds_openness) {}
+      memory_(*scratch.programs), from_(from) {}
 
 scene::ProgramBatch BatchPacker::pack(const HostProgram& program) {
     program_ = &program;
@@ -161,7 +161,7 @@ void BatchPacker::pack_light() {
     const Illumination& light = scratch_.light;
     const uint32_t end = batch_.padded_count;
     if (program_->wants(HostProgram::kOpenness) || program_->wants(HostProgram::kDiffuse)) {
-        if (finds_openness_)
+        if (from_ != Surroundings::even)
             pack(light.openness, memory_.openness);
         else
             std::fill_n(memory_.openness, end, 1.0f);
@@ -171,9 +171,14 @@ void BatchPacker::pack_light() {
         pack(light.irradiance, memory_.diffuse, batch_.diffuse);
         for (int k = 0; k < 3; ++k) {
             const float ambient = snapshot_.environment.ambient[k];
+            if (from_ == Surroundings::bright)
+                pack(light.bounced[k], memory_.bounced);
+            else
+                std::fill_n(memory_.bounced, end, 0.0f);
             float* const lanes = memory_.diffuse[k];
             for (uint32_t i = 0; i < end; ++i)
-                lanes[i] = ambient * memory_.openness[i] + lanes[i] * kInversePi;
+                lanes[i] =
+                    (ambient * memory_.openness[i] + memory_.bounced[i]) + lanes[i] * kInversePi;
         }
     }
     if (!program_->wants(HostProgram::kHighlight)) return;

@@ -14,7 +14,7 @@ class BatchPacker {
 public:
     // `features`, `space` as of Programs. Needs scratch.surface and scratch.light.
     BatchPacker(const scene::Snapshot& snapshot, uint32_t features, const SurfaceSpace& space,
-                const RayHits& hits, const Scratch& scratch, bool finds_openness);
+                const RayHits& hits, const Scratch& scratch, Surroundings from);
 
     scene::ProgramBatch pack(const scene::HostProgram& program);
 
@@ -40,7 +40,7 @@ private:
     const RayHits& hits_;
     const Scratch& scratch_;
     ProgramMemory& memory_;
-    bool finds_openness_;
+    Surroundings from_;
     const scene::HostProgram* program_ = nullptr;
     scene::ProgramBatch batch_;
 };

@@ -45,6 +45,7 @@ struct alignas(64) ProgramMemory {
     Lanes highlight[3];
     Lanes specular; // on the way there: a channel of it
     Lanes openness;
+    Lanes bounced;
 
     // ... and what it says.
     Lanes radiance[3];

@@ -94,10 +94,10 @@ void Programs::collect(uint32_t program, const Surface& surface, ProgramMemory& 
 }
 
 void Programs::run(const RayHits& hits, float* const radiance[3], Scratch& scratch,
-                   bool finds_openness, const AskedRays* rays) const {
+                   Surroundings from, const AskedRays* rays) const {
     if (!find_programs(hits, scratch)) return;
     ProgramMemory& memory = *scratch.programs;
-    BatchPacker packer(*snapshot_, features_, space_, hits, scratch, finds_openness);
+    BatchPacker packer(*snapshot_, features_, space_, hits, scratch, from);
     for (uint32_t r = 0; r < scratch.surface.run_count; ++r) {
         const uint32_t number = memory.program[r];
         if (number == 0) continue;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/snapshot.h"
+#include "shade/light/illumination.h"
 #include "shade/program/program_memory.h"
 #include "shade/surface/ray_hits.h"
 #include "shade/surface/space.h"
@@ -27,8 +28,8 @@ public:
     void turn_back(Scratch& scratch) const;
 
     // Puts their radiance in the place of what scratch.surface and scratch.light made.
-    // `finds_openness`: scratch.light has it. `rays` null: what they ask for is not traced.
-    void run(const RayHits& hits, float* const radiance[3], Scratch& scratch, bool finds_openness,
+    // `from`: what scratch.light has. `rays` null: what they ask for is not traced.
+    void run(const RayHits& hits, float* const radiance[3], Scratch& scratch, Surroundings from,
              const AskedRays* rays) const;
 
 private:
