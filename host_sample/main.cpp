@@ -37,22 +37,52 @@ int list_cameras(const std::vector<Viewpoint>& cameras) {
     return 0;
 }
 
-rt_commit_report build(Stage& stage, const Options& options) {
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
-    int shown = -1; // per cent
-    const auto show = [&](float fraction) {
-        if (options.quiet || Clock::now() - begin < std::chrono::milliseconds(500)) return;
+// Says how far work is that takes long.
+class PercentLine {
+public:
+    PercentLine(const char* what, bool quiet) : what_(what), quiet_(quiet) {}
+    ~PercentLine() {
+        if (shown_ >= 0) std::fprintf(stderr, "\r%s 100%%\n", what_);
+    }
+    void show(float fraction) {
+        if (quiet_ || Clock::now() - begin_ < std::chrono::milliseconds(500)) return;
         const int percent = static_cast<int>(100.0f * fraction);
-        if (percent == shown) return;
-        std::fprintf(stderr, "\rbuilding %3d%%", percent);
-        shown = percent;
-    };
-    const rt_commit_report report =
-        stage.commit(options.structure, options.build, show,
-                     options.light_proofs ? RT_LIGHT_PROOFS_MADE : RT_LIGHT_PROOFS_KEPT);
-    if (shown >= 0) std::fprintf(stderr, "\rbuilding 100%%\n");
-    return report;
+        if (percent == shown_) return;
+        std::fprintf(stderr, "\r%s %3d%%", what_, percent);
+        shown_ = percent;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    const char* what_;
+    bool quiet_;
+    Clock::time_point begin_ = Clock::now();
+    int shown_ = -1; // per cent
+};
+
+rt_commit_report build(Stage& stage, const Options& options) {
+    PercentLine line("building", options.quiet);
+    return stage.commit(
+        options.structure, options.build, [&](float fraction) { line.show(fraction); },
+        options.light_proofs ? RT_LIGHT_PROOFS_MADE : RT_LIGHT_PROOFS_KEPT);
+}
+
+void bake(Stage& stage, const Options& options, float occlusion_range) {
+    rt_bake_desc desc = rt_default_bake_desc();
+    desc.bounces = *options.bake;
+    desc.occlusion_range = occlusion_range;
+    rt_bake_report report;
+    {
+        PercentLine line("baking", options.quiet);
+        report = stage.bake(desc, [&](float fraction) { line.show(fraction); });
+    }
+    stage.commit(options.structure, options.build, nullptr);
+    if (!options.quiet)
+        std::printf("baked %llu points (%.1f MB) with %.1f million rays in %.1f s\n",
+                    static_cast<unsigned long long>(report.point_count),
+                    static_cast<double>(report.bytes) / 1e6, static_cast<double>(report.rays) / 1e6,
+                    report.bake_ms / 1e3);
 }
 
 void show(Session& session) {
@@ -110,6 +140,7 @@ int view(const Options& options) {
         session.effects = &effects;
         session.ripples = &ripples;
     }
+    if (options.bake) bake(stage, options, session.frame(1, 1).occlusion_range);
     show(session);
     if (!options.stats.empty()) write_stats(options.stats, session);
     return 0;

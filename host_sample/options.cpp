@@ -185,6 +185,10 @@ void declare_light(CLI::App& app, Options& options) {
                    "with --view-only or --headless: at most so many lamps that shine as what glows "
                    "does, the strongest [0]")
         ->check(CLI::Range(0u, 4096u));
+    app.add_option("--bake", options.bake,
+                   "with --view-only: find once how light goes on between standing surfaces, so "
+                   "often, and --occlusion (seconds)")
+        ->check(CLI::Range(0u, 8u));
     app.add_flag("--light-proofs", options.light_proofs,
                  "with --view-only: prove once what standing lamps see of the level (seconds)");
 }

@@ -43,9 +43,10 @@ struct Options {
     float occlusion_range = 0.0f; // rt_frame_desc::occlusion_range, ...
     uint32_t occlusion_block = 8;
     bool light_proofs = false;
-    float lamp_radius = 0.0f;    // rt_light_desc::source_radius of all lights
-    uint32_t emissive_lamps = 0; // at most, in the place of what glows
-    float bloom = 0.0f;          // rt_frame_desc::bloom
+    std::optional<uint32_t> bake; // bounces, rt_bake_desc::bounces
+    float lamp_radius = 0.0f;     // rt_light_desc::source_radius of all lights
+    uint32_t emissive_lamps = 0;  // at most, in the place of what glows
+    float bloom = 0.0f;           // rt_frame_desc::bloom
     std::optional<Fog> fog;
     float fog_lamps = 0.0f;         // rt_light_desc::fog_scatter of all lamps
     uint32_t fog_shadows = 8;       // rt_frame_desc::airlight_shadows

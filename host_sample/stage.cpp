@@ -11,6 +11,16 @@ namespace {
 
 constexpr float light_tolerance = 0.03f; // of light in blocks
 
+// For calls that take long: `user` is the std::function.
+int32_t tell(void* user, float fraction) {
+    (*static_cast<const std::function<void(float)>*>(user))(fraction);
+    return 0;
+}
+
+void* to_user(const std::function<void(float)>& progress) {
+    return const_cast<std::function<void(float)>*>(&progress);
+}
+
 } // namespace
 
 Stage::Stage(const rt_api& api, uint32_t threads, rt_isa isa) : api_(api) {
@@ -37,14 +47,21 @@ rt_commit_report Stage::commit(rt_structure structure, rt_build_quality quality,
     desc.quality = quality;
     desc.light_proofs = proofs;
     if (progress) {
-        desc.progress = [](void* user, float fraction) -> int32_t {
-            (*static_cast<const std::function<void(float)>*>(user))(fraction);
-            return 0;
-        };
-        desc.progress_user = const_cast<std::function<void(float)>*>(&progress);
+        desc.progress = tell;
+        desc.progress_user = to_user(progress);
     }
     rt_commit_report report = rt_default_commit_report();
     check(api_.commit_scene(scene_, &desc, &report), "building the scene");
+    return report;
+}
+
+rt_bake_report Stage::bake(rt_bake_desc desc, const std::function<void(float)>& progress) {
+    if (progress) {
+        desc.progress = tell;
+        desc.progress_user = to_user(progress);
+    }
+    rt_bake_report report = rt_default_bake_report();
+    check(api_.bake_light(scene_, &desc, &report), "baking light");
     return report;
 }
 

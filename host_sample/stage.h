@@ -50,6 +50,9 @@ public:
                             const std::function<void(float)>& progress,
                             rt_light_proofs proofs = RT_LIGHT_PROOFS_KEPT);
 
+    // What light does between static meshes; commits from then on show it.
+    rt_bake_report bake(rt_bake_desc desc, const std::function<void(float)>& progress);
+
     // `pixels` holds height rows of width pixels of the format, without gaps.
     rt_frame_stats render(const Viewpoint& viewpoint, const Frame& frame, void* pixels) const;
 

@@ -56,6 +56,7 @@ Play::Play(Arena& arena, Window& window, ui::Ui& ui, const PlayerSettings& setti
     if (!note.empty()) ui_.toast(note);
     for (const std::string& sentence : ui_.notes()) ui_.toast(sentence);
     apply_settings();
+    if (effects() != Effects::plain) baker_ = std::make_unique<LightBaker>(arena.stage());
     if (!replay && !options.bot) return;
     RoundSetup setup = new_setup(replay ? Hands::replay : Hands::bot);
     if (replay) setup.seed = check_replay(*replay, arena.plan());

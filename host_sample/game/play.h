@@ -11,6 +11,7 @@
 #include "../window.h"
 #include "arena.h"
 #include "feedback.h"
+#include "light_baker.h"
 #include "live_round.h"
 #include "pace.h"
 #include "picture.h"
@@ -85,6 +86,7 @@ private:
     ui::Gate gate_;
     ui::Repeater repeater_;
     Feedback feedback_;
+    std::unique_ptr<LightBaker> baker_; // null: plain effects
 
     Screen screen_ = Screen::title;
     Screen before_options_ = Screen::title;

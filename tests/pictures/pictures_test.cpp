@@ -151,6 +151,33 @@ TEST_P(Pictures, Occlusion) {
     expect("occlusion_moved", scene.camera(), frame);
 }
 
+TEST_P(Pictures, Baked) {
+    if (GetParam().proofs) GTEST_SKIP() << "nothing is proved of it";
+    FeatureScene scene(*stage_, {});
+    commit();
+    rt_bake_desc bake = rt_default_bake_desc();
+    bake.bounces = 2;
+    bake.occlusion_range = 1.5f;
+    stage_->bake(bake, nullptr);
+    commit();
+    rt_frame_desc frame = frame_of(161, 91);
+    frame.baked_light = 1;
+    frame.occlusion_range = 1.5f;
+    frame.occlusion_block = 8;
+    expect("baked", scene.camera(), frame);
+    expect("baked_side", scene.camera_from_the_side(), frame);
+    frame.view = RT_VIEW_OCCLUSION;
+    expect("baked_view", scene.camera(), frame);
+    scene.move();
+    commit();
+    frame = direct_frame_of(160, 90);
+    frame.occlusion_range = 1.5f;
+    frame.edge_samples = 4;
+    expect("baked_moved", scene.camera(), frame);
+    frame.occlusion_range = 0;
+    expect("baked_light_alone", scene.camera(), frame);
+}
+
 TEST_P(Pictures, Moved) {
     FeatureScene scene(*stage_, {});
     commit();
