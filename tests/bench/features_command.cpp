@@ -37,7 +37,11 @@ struct Setting {
     bool blooms = false, fog = false, occlusion = false, soft = false;
     bool lit_fog = false; // by all lamps that end somewhere
     bool tinted = false;  // shadows
+    bool baked = false;   // what of it can be; else of none
+    bool bounced = false; // light between surfaces, if baked
     uint32_t airlight_shadows = 0, particles = 0, edge_samples = 1, light_block = 1;
+
+    bool has_everything() const { return blooms && fog && occlusion && particles > 0; }
 };
 constexpr Setting kNone = {.name = "none"};
 constexpr Setting kSettings[] = {
@@ -45,6 +49,8 @@ constexpr Setting kSettings[] = {
     {.name = "tinted shadows", .tinted = true},
     {.name = "soft shadows", .soft = true},
     {.name = "occlusion", .occlusion = true},
+    {.name = "occlusion, baked", .occlusion = true, .baked = true},
+    {.name = "bounced light, baked", .baked = true, .bounced = true},
     {.name = "bloom", .blooms = true},
     {.name = "fog", .fog = true},
     {.name = "lit fog", .lit_fog = true},
@@ -60,8 +66,21 @@ constexpr Setting kSettings[] = {
      .occlusion = true,
      .tinted = true,
      .particles = kFewParticles},
+    {.name = "everything, baked",
+     .depth = 4,
+     .blooms = true,
+     .fog = true,
+     .occlusion = true,
+     .tinted = true,
+     .baked = true,
+     .bounced = true,
+     .particles = kFewParticles},
 };
-constexpr const char* kEverything = "everything";
+
+// Of the settings that have everything, over shared levels, in units of the peer's primary rays.
+struct Everything {
+    Mean by_rays, baked;
+};
 
 struct Price {
     double none_ms = 0, ms = 0; // means of the cameras
@@ -82,7 +101,7 @@ public:
                           options.threads);
     }
 
-    nlohmann::json run(Mean& everything) {
+    nlohmann::json run(Everything& everything) {
         if (peer_) peer_->hold_trials();
         nlohmann::json rows = nlohmann::json::array();
         for (const Setting& setting : kSettings) rows.push_back(row_of(setting, everything));
@@ -112,13 +131,30 @@ private:
         stage.check(stage.api().commit_scene(stage.scene(), nullptr, nullptr), "building");
     }
 
+    void show_baked(const Setting& setting) {
+        if (!setting.baked || (has_bounced_ == setting.bounced && baked_range_ > 0)) return;
+        has_bounced_ = setting.bounced;
+        baked_range_ = kOcclusionRange;
+        rt_bake_desc desc = rt_default_bake_desc();
+        desc.occlusion_range = baked_range_;
+        desc.bounces = setting.bounced ? 1 : 0;
+        host::Stage& stage = stage_.stage();
+        const rt_bake_report report = stage.bake(desc, nullptr);
+        stage.check(stage.api().commit_scene(stage.scene(), nullptr, nullptr), "building");
+        std::printf("%-16s baked%s: %.1f s, %.1f million rays, %.1f MB\n", name_.c_str(),
+                    setting.bounced ? ", bounced light, too" : "", report.bake_ms / 1e3,
+                    double(report.rays) / 1e6, double(report.bytes) / 1e6);
+    }
+
     double render(const Setting& setting, const std::vector<rt_particle>& embers, size_t view) {
         if (setting.lit_fog && !lit_stage_) make_lit_stage();
         show_fog(setting.fog);
+        show_baked(setting);
         rt_frame_desc frame = memory_.frame(Look::direct);
         frame.max_depth = setting.depth;
         frame.bloom = setting.blooms ? kBloom : 0;
         frame.occlusion_range = setting.occlusion ? kOcclusionRange : 0;
+        frame.baked_light = setting.baked;
         frame.tinted_shadows = setting.tinted;
         frame.edge_samples = setting.edge_samples;
         frame.light_block = setting.light_block;
@@ -154,7 +190,7 @@ private:
         return price;
     }
 
-    nlohmann::json row_of(const Setting& setting, Mean& everything) {
+    nlohmann::json row_of(const Setting& setting, Everything& everything) {
         const Price price = measure(setting);
         std::printf("%-16s %-26s %8.2f %8.2f %+8.2f", name_.c_str(), setting.name, price.none_ms,
                     price.ms, price.ms - price.none_ms);
@@ -166,8 +202,8 @@ private:
             std::printf(" %8.2f %6.2f %6.2f", peer_ms, price.none_ms / peer_ms, price.ms / peer_ms);
             row["peer_primary_ms"] = peer_ms;
             row["ratio"] = price.ms / peer_ms;
-            if (setting.name == kEverything && is_level(name_) && name_ != "hall")
-                everything.add(price.ms / peer_ms);
+            if (setting.has_everything() && is_level(name_) && name_ != "hall")
+                (setting.baked ? everything.baked : everything.by_rays).add(price.ms / peer_ms);
         }
         std::printf("\n");
         std::fflush(stdout);
@@ -192,7 +228,8 @@ private:
     FrameStage stage_;
     std::optional<FrameStage> soft_stage_, lit_stage_;
     std::optional<FramePeer> peer_;
-    bool has_fog_ = false;
+    bool has_fog_ = false, has_bounced_ = false;
+    float baked_range_ = 0;
 };
 
 } // namespace
@@ -208,14 +245,14 @@ std::string run_features(const Options& options) {
     if (!options.peers.empty()) std::printf(" %8s %6s %6s", "peer ms", "ratio", "with");
     std::printf("\n");
     nlohmann::json rows = nlohmann::json::array();
-    Mean everything;
+    Everything everything;
     for (const std::string& file : options.scenes)
         for (nlohmann::json& row : Pricing(options, plugin.api(), runner, file).run(everything))
             rows.push_back(std::move(row));
     if (!options.peers.empty())
         std::printf("\neverything over shared levels, in units of the peer's primary rays, "
-                    "geometric mean: %.2f\n",
-                    everything.value());
+                    "geometric mean: %.2f, baked: %.2f\n",
+                    everything.by_rays.value(), everything.baked.value());
     return rows.dump();
 }
 

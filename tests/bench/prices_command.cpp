@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace peregrine::bench {
@@ -34,6 +35,7 @@ struct Setting {
     float least_light = 0;
     uint32_t occlusion_block = 0; // 0: no occlusion
     uint32_t occlusion_samples = 16;
+    float baked = 0; // metres between points of occlusion; 0: none is
 
     // Cheaper light is not meant to be nearer to the truth than one ray a pixel, but to that.
     bool is_light() const { return light_block > 1 || least_light > 0; }
@@ -62,6 +64,9 @@ constexpr Setting kSettings[] = {
     {.name = "occlusion, blocks of 4", .occlusion_block = 4},
     {.name = "occlusion, blocks of 8", .occlusion_block = 8},
     {.name = "occlusion, blocks of 16", .occlusion_block = 16},
+    {.name = "occlusion, baked, 1 m", .occlusion_block = 8, .baked = 1},
+    {.name = "occlusion, baked, 0.5 m", .occlusion_block = 8, .baked = 0.5f},
+    {.name = "occlusion, baked, 0.25 m", .occlusion_block = 8, .baked = 0.25f},
 };
 constexpr Setting kFineOcclusion = {
     .name = "occlusion, 256 rays", .occlusion_block = 1, .occlusion_samples = 256};
@@ -137,7 +142,10 @@ public:
         : options_(options), name_(std::filesystem::path(file).stem().string()),
           level_(host::gltf::import_file(file)), views_(standing_cameras(level_)),
           size_(parse_image_size(options.frame_size)),
-          stage_(api, level_, options.threads, RT_LIGHT_PROOFS_KEPT, to_isa(options.isa)) {}
+          stage_(api, level_, options.threads, RT_LIGHT_PROOFS_KEPT, to_isa(options.isa)) {
+        for (const Setting& setting : kSettings)
+            if (setting.baked > 0) bake(setting.baked);
+    }
 
     nlohmann::json run() {
         std::vector<Price> sums(std::size(kSettings));
@@ -166,6 +174,20 @@ private:
         double ms, edge_rays, shadow_rays, occlusion_rays;
     };
 
+    void bake(float spacing) {
+        rt_bake_desc desc = rt_default_bake_desc();
+        desc.spacing = spacing;
+        desc.occlusion_range = kOcclusionRange;
+        desc.bounces = 0;
+        host::Stage& stage = stage_.stage();
+        const rt_bake_report report = stage.bake(desc, nullptr);
+        stage.check(stage.api().commit_scene(stage.scene(), nullptr, nullptr), "building");
+        stage.check(stage.api().hold_snapshot(stage.scene(), &baked_[spacing]), "holding");
+        std::printf("%-16s baked, %g m: %.1f s, %.1f million rays, %.1f MB\n", name_.c_str(),
+                    double(spacing), report.bake_ms / 1e3, double(report.rays) / 1e6,
+                    double(report.bytes) / 1e6);
+    }
+
     // A scale above 1 is a larger frame.
     Result render(const Setting& setting, size_t view) const {
         const auto scaled = [&](uint32_t side) {
@@ -184,6 +206,8 @@ private:
         frame.occlusion_range = setting.occlusion_block > 0 ? kOcclusionRange : 0;
         frame.occlusion_block = setting.occlusion_block;
         frame.occlusion_samples = setting.occlusion_samples;
+        frame.baked_light = setting.baked > 0;
+        if (setting.baked > 0) frame.snapshot = baked_.at(setting.baked);
         frame.render_width = traced.width;
         frame.render_height = traced.height;
         std::vector<double> ms;
@@ -223,7 +247,7 @@ private:
     }
 
     nlohmann::json row_of(const Setting& setting, const Price& price) const {
-        std::printf("%-16s %-23s %8.1f %10.0f %10.0f %10.0f %8.4f %8.3f\n", name_.c_str(),
+        std::printf("%-16s %-24s %8.1f %10.0f %10.0f %10.0f %8.4f %8.3f\n", name_.c_str(),
                     setting.name, price.ms, price.edge_rays, price.shadow_rays,
                     price.occlusion_rays, price.flip_mean, price.flip_worst_tile);
         return {{"scene", name_},
@@ -244,6 +268,7 @@ private:
     std::vector<host::Viewpoint> views_;
     ImageSize size_;
     FrameStage stage_;
+    std::map<float, rt_snapshot> baked_;
 };
 
 } // namespace
@@ -252,7 +277,7 @@ std::string run_prices(const Options& options) {
     const host::Plugin plugin(options.library);
     std::printf("%s a frame, mean of the scene's cameras; FLIP against %u rays a pixel (cheaper "
                 "light: against one; occlusion: against one with %u rays of it)\n"
-                "%-16s %-23s %8s %10s %10s %10s %8s %8s\n",
+                "%-16s %-24s %8s %10s %10s %10s %8s %8s\n",
                 options.threads == 1 ? "processor time" : "wall time", kSamples * kSamples,
                 kFineOcclusion.occlusion_samples, "scene", "setting", "ms", "edge rays", "shadow",
                 "occlusion", "flip", "tile");
