@@ -66,7 +66,8 @@ scene::CommitOptions to_options(const rt_commit_desc* desc) {
     options.build.quality = accel::bvh::Quality(fields.quality);
     options.build.empty_bonus = fields.empty_bonus;
     require_enum(fields.memory, RT_MEMORY_COMPACT, "rt_commit_desc.memory");
-    require_zero(fields.reserved, "rt_commit_desc.reserved");
+    require_least_zero(fields.proof_budget_ms, "rt_commit_desc.proof_budget_ms");
+    options.proofs.budget_ms = fields.proof_budget_ms;
     require_enum(fields.light_proofs, RT_LIGHT_PROOFS_MADE, "rt_commit_desc.light_proofs");
     if (!(fields.proof_patch_size >= 0 && fields.proof_patch_size <= 1e30f))
         base::fail(base::Code::invalid_argument,
@@ -151,6 +152,7 @@ rt_commit_report to_report(const scene::CommitReport& in) {
     out.bytes_proofs = in.proofs.bytes;
     out.proof_ms = in.proofs.ms;
     out.proved_light_count = in.proofs.lights;
+    out.waiting_light_count = in.proofs.waiting;
     out.light_count = in.light_count;
     out.instance_count = in.instance_count;
     out.rebuilt = in.fixed_rebuilt || in.deforming_rebuilt ? 1 : 0;

@@ -211,6 +211,7 @@ void Commit::remember() noexcept {
     scene_.fixed_build_ = options_.build.relevant();
     scene_.fixed_changed_ = false;
     scene_.views_.swap(views_);
+    if (proof_report_.waiting == 0) scene_.proofs_.reset();
     scene_.light_set_ = snapshot_.lights;
     if (!snapshot_.light_map) scene_.set_light_map(nullptr); // it is of triangles that went
     ++scene_.version_;

@@ -2,6 +2,8 @@
 
 #include "scene/scene.h"
 
+#include <chrono>
+
 namespace peregrine::scene {
 
 // One commit of a scene: fills a snapshot and remembers in the scene what the next one need not
@@ -49,8 +51,10 @@ private:
 
     using AllCorners = base::Vector<trace::visibility::Corners>;
     using LightNumbers = base::Vector<uint32_t>;
+    using WantedProofs = base::Vector<LightProofs::Wanted>;
     AllCorners fixed_corners() const;
-    LightNumbers keep_proofs();
+    WantedProofs keep_proofs();
+    void go_on_proving(const WantedProofs& wanted, std::chrono::steady_clock::time_point begin);
     void prove_lights();
     void share_lights();
     void show_light_map();

@@ -1,7 +1,6 @@
 #include "scene/commit.h"
 
-#include "base/error.h"
-#include "trace/visibility/prove.h"
+#include "scene/light_proofs.h"
 
 #include <algorithm>
 #include <chrono>
@@ -38,8 +37,8 @@ Commit::AllCorners Commit::fixed_corners() const {
 
 // Keeps what still holds of the last commit's proofs, and lists the lights that are to be proved:
 // those that are new, and those that stood still since the last commit.
-Commit::LightNumbers Commit::keep_proofs() {
-    LightNumbers wanted(&scene_.recycled);
+Commit::WantedProofs Commit::keep_proofs() {
+    WantedProofs wanted(&scene_.recycled);
     const auto& slots = scene_.lights.slots();
     views_.resize(slots.size());
     const bool is_new_geometry = snapshot_.fixed != scene_.fixed_;
@@ -61,9 +60,31 @@ Commit::LightNumbers Commit::keep_proofs() {
                            && !last.holds_for(lamp, slots[i].generation, last.geometry);
         if (options_.proofs.proves && !view.view && light.casts_shadow && light.source_radius == 0
             && (is_new_geometry || !moved))
-            wanted.push_back(i);
+            wanted.push_back({i, slots[i].generation, lamp});
     }
     return wanted;
+}
+
+// Proofs that were begun belong to the scene, also if this commit fails.
+void Commit::go_on_proving(const WantedProofs& wanted,
+                           std::chrono::steady_clock::time_point begin) {
+    const ProofChoice& choice = options_.proofs;
+    std::optional<LightProofs>& proofs = scene_.proofs_;
+    if (!proofs || !proofs->are_of(snapshot_.fixed, choice.patch_size)) {
+        proofs.reset();
+        proofs.emplace(snapshot_.fixed, fixed_corners(), choice.patch_size, &scene_.memory);
+    }
+    proofs->want(wanted, choice.most_bytes);
+    const uint64_t before = proofs->proof_count();
+    std::optional<LightProofs::Clock::time_point> deadline;
+    if (choice.budget_ms > 0)
+        deadline = begin
+                   + std::chrono::duration_cast<LightProofs::Clock::duration>(
+                       std::chrono::duration<float, std::milli>(std::min(choice.budget_ms, 1e9f)));
+    base::PartProgress part(options_.progress, build_share(), 1 - build_share());
+    proofs->run(deadline, scene_.scheduler, part.progress());
+    proof_report_.proofs = proofs->proof_count() - before;
+    proof_report_.waiting = proofs->waiting();
 }
 
 void Commit::prove_lights() {
@@ -72,31 +93,11 @@ void Commit::prove_lights() {
     number_of_light_.assign(scene_.lights.slots().size(), 0);
     for (uint32_t i = 0, number = 0; i < number_of_light_.size(); ++i)
         if (scene_.lights.slots()[i].object) number_of_light_[i] = number++;
-    const LightNumbers wanted = keep_proofs();
+    const WantedProofs wanted = keep_proofs();
     if (!wanted.empty() && !snapshot_.fixed->infos.empty()) {
-        const AllCorners corners = fixed_corners();
-        const visibility::TriangleTree tree(corners, &scene_.memory);
-        visibility::ProofOptions proof;
-        proof.patch_size = options_.proofs.patch_size;
-        proof.most_words = uint32_t(
-            std::min<uint64_t>(options_.proofs.most_bytes / (4 * wanted.size()), proof.most_words));
-        const uint32_t at_a_time = std::max(scene_.scheduler.concurrency(), 1u);
-        for (uint32_t first = 0; first < wanted.size(); first += at_a_time) {
-            const float done = float(first) / float(wanted.size());
-            if (options_.progress.cancels(build_share() + (1 - build_share()) * done))
-                base::fail(base::Code::cancelled,
-                           "the commit was cancelled by its progress callback");
-            const auto count = std::min(at_a_time, uint32_t(wanted.size()) - first);
-            base::Vector<visibility::ProofReport> reports(count, &scene_.recycled);
-            scene_.scheduler.for_each(count, [&](uint32_t i) {
-                LightView& view = views_[wanted[first + i]];
-                const visibility::Setting setting =
-                    visibility::make_setting(view.lamp, snapshot_.fixed->bounds());
-                view.view = visibility::prove(tree, setting, proof, &scene_.memory, reports[i]);
-            });
-            for (const visibility::ProofReport& report : reports)
-                proof_report_.proofs += report.proofs;
-        }
+        go_on_proving(wanted, begin);
+        for (const LightProofs::Wanted& light : wanted)
+            views_[light.slot].view = scene_.proofs_->result(light.slot);
     }
     for (LightView& view : views_) {
         if (!view.view) continue;

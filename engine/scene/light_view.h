@@ -16,6 +16,7 @@ struct ProofChoice {
     bool proves = false;                      // else only what was proved before is kept
     uint64_t most_bytes = uint64_t(64) << 20; // of all that is remembered
     float patch_size = 1;                     // metres: smaller patches are not cut any more
+    float budget_ms = 0;                      // of a commit; 0: no bound
 };
 
 // What was proved of a light, and what it was proved for.
@@ -35,10 +36,11 @@ struct LightView {
 };
 
 struct ProofReport {
-    uint32_t lights = 0; // of which something is remembered
-    uint64_t proofs = 0; // tried by this commit
-    uint64_t bytes = 0;  // remembered
-    double ms = 0;       // wall time of this commit's proofs
+    uint32_t lights = 0;  // of which something is remembered
+    uint32_t waiting = 0; // whose proofs have not ended
+    uint64_t proofs = 0;  // tried by this commit
+    uint64_t bytes = 0;   // remembered
+    double ms = 0;        // wall time of this commit's proofs
 };
 
 trace::visibility::Lamp lamp_of(const Light& light);

@@ -10,6 +10,7 @@
 #include "scene/fog.h"
 #include "scene/light.h"
 #include "scene/light_map.h"
+#include "scene/light_proofs.h"
 #include "scene/light_view.h"
 #include "scene/lights/light_set.h"
 #include "scene/material.h"
@@ -22,6 +23,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace peregrine::scene {
 
@@ -186,6 +188,7 @@ private:
     uint64_t version_ = 0;
     uint64_t commits_begun_ = 0;
     base::Vector<LightView> views_;             // by slot of the light: what was proved of it
+    std::optional<LightProofs> proofs_;         // that were begun
     std::shared_ptr<const LightSet> light_set_; // of the last commit
     std::mutex light_map_mutex_;
     std::shared_ptr<const LightMap> light_map_; // that was baked last

@@ -161,7 +161,7 @@ void print_commit(void) {
     FIELD(rt_commit_desc, light_proofs);
     FIELD(rt_commit_desc, most_proof_bytes);
     FIELD(rt_commit_desc, proof_patch_size);
-    FIELD(rt_commit_desc, reserved);
+    FIELD(rt_commit_desc, proof_budget_ms);
     STRUCT(rt_commit_report);
     FIELD(rt_commit_report, struct_size);
     FIELD(rt_commit_report, left_out);
@@ -197,5 +197,5 @@ void print_commit(void) {
     FIELD(rt_commit_report, bytes_proofs);
     FIELD(rt_commit_report, proof_ms);
     FIELD(rt_commit_report, proved_light_count);
-    FIELD(rt_commit_report, reserved2);
+    FIELD(rt_commit_report, waiting_light_count);
 }

@@ -365,8 +365,10 @@ TEST_F(BadField, Commit) {
         desc.proof_patch_size = size;
         refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.proof_patch_size is ");
     }
-    desc.reserved = 1;
-    refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.reserved is ");
+    for (const float budget : {-1.0f, kNan, kInfinity}) {
+        desc.proof_budget_ms = budget;
+        refuse(RT_ERROR_INVALID_ARGUMENT, "rt_commit_desc.proof_budget_ms is ");
+    }
     ASSERT_OK(move_lift(*world_, 3));
     desc.empty_bonus = 0.2f;
     desc.progress = [](void*, float) -> int32_t { return 1; };

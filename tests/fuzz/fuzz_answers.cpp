@@ -20,6 +20,7 @@ void Fuzzer::commit() {
     if (random_.one_in(3)) {
         desc.light_proofs = rt_light_proofs(random_.below(random_.one_in(9) ? 3 : 2));
         desc.most_proof_bytes = random_.below(1u << 16);
+        if (random_.one_in(2)) desc.proof_budget_ms = 0.01f * random_.unit();
         desc.proof_patch_size = random_.one_in(9) ? random_.number() : random_.unit();
     }
     rt_commit_report report = rt_default_commit_report();

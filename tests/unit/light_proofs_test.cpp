@@ -213,6 +213,79 @@ TEST_F(Room, WhatMovesInBetweenIsAskedFor) {
     }
 }
 
+scene::CommitOptions proving_for(float ms) {
+    scene::CommitOptions options = proving(0.1f);
+    options.proofs.budget_ms = ms;
+    return options;
+}
+
+TEST_F(Room, ABudgetSpreadsProofsOverCommits) {
+    const scene::CommitReport whole = commit(proving(0.1f));
+    world_.scene.touch_triangles(scene::MeshKind::fixed); // from the beginning
+    uint32_t waiting = 3, commits = 0;
+    uint64_t tried = 0;
+    scene::CommitReport last;
+    while (waiting > 0) {
+        ASSERT_LT(++commits, 100000u);
+        last = commit(proving_for(1e-6f));
+        EXPECT_LE(last.proofs.waiting, waiting);
+        EXPECT_EQ(last.proofs.waiting + last.proofs.lights, 3u);
+        EXPECT_TRUE(last.proofs.waiting == 0 || last.proofs.proofs < whole.proofs.proofs / 2);
+        if (commits % 16 == 1) expect_same_as_traced();
+        waiting = last.proofs.waiting;
+        tried += last.proofs.proofs;
+    }
+    EXPECT_GT(commits, 20u);
+    EXPECT_EQ(tried, whole.proofs.proofs);
+    EXPECT_EQ(last.proofs.bytes, whole.proofs.bytes);
+    expect_same_as_traced();
+    EXPECT_EQ(commit(proving_for(1e-6f)).proofs.proofs, 0u);
+    EXPECT_EQ(commit(proving_for(1000)).proofs.waiting, 0u);
+}
+
+TEST_F(Room, WhatChangesMidwayIsProvedAnew) {
+    const auto finish = [&] {
+        for (int i = 0; commit(proving_for(1e-3f)).proofs.waiting > 0; ++i) ASSERT_LT(i, 100000);
+        expect_same_as_traced();
+    };
+    EXPECT_EQ(commit(proving_for(1e-6f)).proofs.waiting, 3u);
+    world_.scene.lights.find(first_)->position.x += 0.25; // that one begins again, at rest
+    commit(proving_for(1e-6f));
+    finish();
+    world_.add_quad({-3, 0, 4}, {-3, 0, 3}, {-3, 1, 3}, {-3, 1, 4}, {});
+    world_.scene.touch_triangles(scene::MeshKind::fixed);
+    EXPECT_EQ(commit(proving_for(1e-6f)).proofs.waiting, 3u);
+    world_.scene.lights.erase(first_);
+    EXPECT_EQ(commit(proving_for(1e-6f)).proofs.waiting, 2u);
+    expect_same_as_traced();
+    commit({}); // for once nothing is asked
+    expect_same_as_traced();
+    finish();
+    EXPECT_EQ(commit({}).proofs.lights, 2u);
+}
+
+// What was begun goes on after it.
+TEST_F(Room, ACancelledCommitDoesNotLoseProofs) {
+    commit({});
+    scene::CommitOptions options = proving_for(1e-6f);
+    int calls = 0;
+    options.progress.user = &calls;
+    options.progress.function = [](void* user, float) -> int32_t {
+        return ++*static_cast<int*>(user) % 7 == 0;
+    };
+    int cancelled = 0, left = 3;
+    for (int i = 0; left > 0; ++i) {
+        ASSERT_LT(i, 100000);
+        try {
+            left = int(commit(options).proofs.waiting);
+        } catch (const base::Error&) {
+            ++cancelled;
+        }
+    }
+    EXPECT_GT(cancelled, 5);
+    expect_same_as_traced();
+}
+
 TEST_F(Room, ACommitThatIsCancelledForgetsNothing) {
     const uint64_t bytes = commit(proving()).proofs.bytes;
     world_.add(lamp({0, 3, 2}));

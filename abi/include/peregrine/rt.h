@@ -757,7 +757,9 @@ typedef struct rt_commit_desc {
     uint64_t most_proof_bytes; /* that all proofs may take: 0: 64 MiB. What is beyond is traced. */
     float proof_patch_size; /* metres, > 0; 0: 1. Triangles that are lit in parts are cut until no
                                side is longer: smaller ones prove more, and take longer */
-    uint32_t reserved;      /* 0 */
+    float proof_budget_ms; /* that proofs may take of this commit, so that the next one goes on with
+                              them; >= 0; 0: no bound. A light whose proofs have not ended is
+                              traced. The first commit needs some milliseconds more */
 } rt_commit_desc;
 
 static inline rt_commit_desc rt_default_commit_desc(void) {
@@ -826,8 +828,8 @@ typedef struct rt_commit_report {
     uint64_t proof_count;    /* tried by this commit, of RT_LIGHT_PROOFS_MADE */
     uint64_t bytes_proofs;   /* remembered, of this commit and earlier ones */
     double proof_ms;         /* wall time of this commit's */
-    uint32_t proved_light_count; /* of which something is remembered */
-    uint32_t reserved2;
+    uint32_t proved_light_count;  /* of which something is remembered */
+    uint32_t waiting_light_count; /* whose proofs have not ended: proof_budget_ms */
 } rt_commit_report;
 
 static inline rt_commit_report rt_default_commit_report(void) {

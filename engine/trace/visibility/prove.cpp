@@ -24,18 +24,24 @@ struct List {
     uint32_t size() const { return end - begin; }
 };
 
+} // namespace
+
 class Prover {
 public:
     Prover(const TriangleTree& tree, const Setting& setting, const ProofOptions& options,
-           base::Memory* memory, PointVisibility& out, ProofReport& report)
-        : tree_(tree), setting_(setting), options_(options), candidates_(memory), out_(out),
-          report_(report) {}
-
-    void run() {
+           base::Memory* memory)
+        : tree_(tree), setting_(setting), options_(options), candidates_(memory), stays_(memory),
+          out_(std::allocate_shared<PointVisibility>(
+              std::pmr::polymorphic_allocator<PointVisibility>(memory),
+              uint32_t(tree.triangles.size()), memory)) {
         if (tree_.nodes.empty()) return;
         candidates_.push_back(Candidate::node(0));
-        visit(0, {0, 1});
+        enter(0, {0, 1});
     }
+
+    bool step();
+    const ProofReport& report() const { return report_; }
+    std::shared_ptr<const PointVisibility> result() const { return out_; }
 
 private:
     // The tree halves its triangles, of which there are less than 2^32, and a node on the way down
@@ -51,7 +57,15 @@ private:
         uint32_t level, iu, iv, upper;
     };
 
-    void visit(uint32_t node_index, List list);
+    // A node of receivers on the way down: what its children may have in the way, and which of
+    // them comes next.
+    struct Stay {
+        uint32_t node;
+        List met;
+        uint32_t next;
+    };
+
+    void enter(uint32_t node_index, List list);
     template <class AnyShaft>
     List meet(const AnyShaft& shaft, double size, List list);
     template <class AnyShaft, class Visit>
@@ -70,11 +84,12 @@ private:
     uint32_t top() const { return uint32_t(candidates_.size()); }
 
     const TriangleTree& tree_;
-    const Setting& setting_;
-    const ProofOptions& options_;
+    const Setting setting_;
+    const ProofOptions options_;
     base::Vector<Candidate> candidates_;
-    PointVisibility& out_;
-    ProofReport& report_;
+    base::Vector<Stay> stays_;
+    std::shared_ptr<PointVisibility> out_;
+    ProofReport report_;
     std::optional<uint32_t> last_cover_; // what hid the patch before
     // Of the triangle that is being cut into patches:
     uint32_t level_ = 0, first_word_ = 0, border_ = 1;
@@ -88,7 +103,7 @@ bool Prover::is_within_reach(const math::Box& box) const {
     return glm::dot(offset, offset) <= reach * reach;
 }
 
-double half_perimeter(const math::Box& box) {
+static double half_perimeter(const math::Box& box) {
     const Vec3d size = Vec3d(box.upper) - Vec3d(box.lower);
     return size.x + size.y + size.z;
 }
@@ -129,18 +144,27 @@ void Prover::descend(const AnyShaft& shaft, uint32_t start, Visit&& visit) const
     }
 }
 
-void Prover::visit(uint32_t node_index, List list) {
+void Prover::enter(uint32_t node_index, List list) {
     const TriangleNode& node = tree_.nodes[node_index];
     if (!is_within_reach(node.box)) return;
     const List met = meet(BoxShaft(setting_, node.box), half_perimeter(node.box), list);
-    if (node.is_leaf()) {
-        for (uint32_t i = node.first; i < node.first + node.count; ++i)
-            prove_triangle(tree_.ordered[i], met);
-    } else {
-        visit(node.first, met);
-        visit(node.first + 1, met);
-    }
+    if (!node.is_leaf()) return stays_.push_back({node_index, met, 0});
+    for (uint32_t i = node.first; i < node.first + node.count; ++i)
+        prove_triangle(tree_.ordered[i], met);
     forget(met.begin);
+}
+
+bool Prover::step() {
+    if (stays_.empty()) return false;
+    Stay& stay = stays_.back();
+    if (stay.next == 2) {
+        forget(stay.met.begin);
+        stays_.pop_back();
+    } else {
+        const uint32_t child = tree_.nodes[stay.node].first + stay.next++;
+        enter(child, List(stay.met)); // which may move `stay`
+    }
+    return !stays_.empty();
 }
 
 State Prover::prove_patch(const Shaft& shaft, double longest, List list, List& left) {
@@ -205,7 +229,7 @@ State Prover::prove_whole(const Receiver& receiver, float border, List list, Lis
 void Prover::fill(const Patch& patch, State state) {
     if (patch.level == level_) {
         const uint32_t index = Grid::index(1u << level_, patch.iu, patch.iv, patch.upper);
-        out_.words()[first_word_ + index / 16] |= uint32_t(state) << index % 16 * 2;
+        out_->words()[first_word_ + index / 16] |= uint32_t(state) << index % 16 * 2;
         return;
     }
     const uint32_t u = 2 * patch.iu, v = 2 * patch.iv, level = patch.level + 1;
@@ -271,33 +295,46 @@ void Prover::prove_triangle(const TreeTriangle& triangle, List list) {
         }
         const uint32_t words = ((1u << 2 * level) + 15) / 16;
         if (state == State::mixed && level > 0
-            && out_.words().size() + words <= options_.most_words) {
+            && out_->words().size() + words <= options_.most_words) {
             level_ = level;
             border_ = 1;
-            first_word_ = uint32_t(out_.words().size());
-            out_.words().resize(first_word_ + words, 0);
+            first_word_ = uint32_t(out_->words().size());
+            out_->words().resize(first_word_ + words, 0);
             prove_quarters(receiver, {0, 0, 0, 0}, left);
-            out_.set(triangle.index, TriangleView(State::patches, border_, level_, first_word_));
+            out_->set(triangle.index, TriangleView(State::patches, border_, level_, first_word_));
             state = State::patches;
         }
     }
     forget(end);
     ++report_.triangles[uint32_t(state)];
-    if (state == State::mixed) out_.set(triangle.index, TriangleView(State::mixed, 0));
+    if (state == State::mixed) out_->set(triangle.index, TriangleView(State::mixed, 0));
     if (state == State::lit || (state == State::hidden && border > 0))
-        out_.set(triangle.index, TriangleView(state, border));
+        out_->set(triangle.index, TriangleView(state, border));
 }
 
-} // namespace
+LampProof::LampProof(const TriangleTree& tree, const Setting& setting, const ProofOptions& options,
+                     base::Memory* memory)
+    : prover_(std::allocate_shared<Prover>(std::pmr::polymorphic_allocator<Prover>(memory), tree,
+                                           setting, options, memory)) {}
+
+bool LampProof::step() {
+    return prover_->step();
+}
+const ProofReport& LampProof::report() const {
+    return prover_->report();
+}
+std::shared_ptr<const PointVisibility> LampProof::result() const {
+    return prover_->result();
+}
 
 std::shared_ptr<const PointVisibility> prove(const TriangleTree& tree, const Setting& setting,
                                              const ProofOptions& options, base::Memory* memory,
                                              ProofReport& report) {
-    auto out = std::allocate_shared<PointVisibility>(
-        std::pmr::polymorphic_allocator<PointVisibility>(memory), uint32_t(tree.triangles.size()),
-        memory);
-    Prover(tree, setting, options, memory, *out, report).run();
-    return out;
+    LampProof proof(tree, setting, options, memory);
+    while (proof.step()) {
+    }
+    report = proof.report();
+    return proof.result();
 }
 
 } // namespace peregrine::trace::visibility

@@ -18,8 +18,27 @@ struct ProofReport {
     uint64_t triangles[4] = {0, 0, 0, 0}; // within reach, by State
 };
 
-// Proves what it can of the segments between a lamp and all triangles of the tree. What it proves
-// may depend on the options; it is true in any case. Throws std::bad_alloc.
+class Prover;
+
+// Proves what it can of the segments between a lamp and all triangles of a tree, step by step. What
+// it proves may depend on the options; it is true in any case.
+class LampProof {
+public:
+    // `tree` must outlive it. Throws std::bad_alloc, as do steps.
+    LampProof(const TriangleTree& tree, const Setting& setting, const ProofOptions& options,
+              base::Memory* memory);
+
+    // Looks at a few triangles, or at a place where there may be some; false: all is proved.
+    bool step();
+    const ProofReport& report() const;
+    // What is remembered; once all is proved.
+    std::shared_ptr<const PointVisibility> result() const;
+
+private:
+    std::shared_ptr<Prover> prover_;
+};
+
+// All of it at once.
 std::shared_ptr<const PointVisibility> prove(const TriangleTree& tree, const Setting& setting,
                                              const ProofOptions& options, base::Memory* memory,
                                              ProofReport& report);
