@@ -76,8 +76,8 @@ shade::Shader make_shader(const scene::Snapshot& snapshot, const Camera& camera,
         const scene::LightMap& map = *snapshot.light_map;
         const bool is_same = map.openness.any() && map.range == frame.occlusion.range;
         if (shader.finds_openness() && is_same && !shader.space().is_elsewhere)
-            shader.recall_openness(map.openness);
-        if (frame.is_shaded() && map.bounced.any()) shader.add_bounced_light(map.bounced);
+            shader.recall_openness_from(map.openness);
+        if (frame.is_shaded() && map.bounced.any()) shader.add_bounced_light_from(map.bounced);
     }
     if (frame.tinted_shadows && !lights.empty()
         && (snapshot.features & scene::kLightPassingFeatures))

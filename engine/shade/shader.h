@@ -31,10 +31,10 @@ public:
     bool tints_light() const { return lighting_.tints(); }
     bool finds_openness() const { return openness_.has_value(); }
     // From here on, openness is what these say, where they know that.
-    void recall_openness(const scene::PointGrids& grids) { openness_grids_ = &grids; }
+    void recall_openness_from(const scene::PointGrids& grids) { openness_grids_ = &grids; }
     bool recalls_openness() const { return openness_grids_ != nullptr; }
     // From here on, surfaces get the light that others send, where these know that.
-    void add_bounced_light(const scene::PointGrids& grids) { bounced_grids_ = &grids; }
+    void add_bounced_light_from(const scene::PointGrids& grids) { bounced_grids_ = &grids; }
 
     // Fills scratch.surface.
     void find_surfaces(const RayHits& hits, SurfacePart part, Scratch& scratch) const;

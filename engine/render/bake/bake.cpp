@@ -106,7 +106,7 @@ private:
     void bake_light() {
         const PointGrids last = std::exchange(map_->bounced, PointGrids(memory_));
         shade::Shader shader = make_shader(true);
-        if (last.any()) shader.add_bounced_light(last);
+        if (last.any()) shader.add_bounced_light_from(last);
         const LightSampler sampler(world_.snapshot, shader, options_.samples);
         run(shader, sampler,
             {options_.spacing * kLightSpacing, options_.tolerance * kLightTolerance}, light_of,

@@ -24,6 +24,11 @@ struct List {
     uint32_t size() const { return end - begin; }
 };
 
+double half_perimeter(const math::Box& box) {
+    const Vec3d size = Vec3d(box.upper) - Vec3d(box.lower);
+    return size.x + size.y + size.z;
+}
+
 } // namespace
 
 class Prover {
@@ -101,11 +106,6 @@ bool Prover::is_within_reach(const math::Box& box) const {
     const Vec3d offset = setting_.position - nearest;
     const double reach = double(setting_.lamp.reach) * (1 + 0x1p-16) + 4 * setting_.lift;
     return glm::dot(offset, offset) <= reach * reach;
-}
-
-static double half_perimeter(const math::Box& box) {
-    const Vec3d size = Vec3d(box.upper) - Vec3d(box.lower);
-    return size.x + size.y + size.z;
 }
 
 // The list's candidates that the shaft meets. Nodes are opened down to those of the size; triangles
