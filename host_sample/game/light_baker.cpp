@@ -1,11 +1,14 @@
 #include "light_baker.h"
 
+#include <pthread.h>
+
 #include "../effects/choose.h"
 
 namespace host::game {
 
 LightBaker::LightBaker(const Stage& stage)
     : thread_([this, &api = stage.api(), scene = stage.scene()] {
+          pthread_setname_np(pthread_self(), "light_baker"); // who looks may see it end
           rt_bake_desc desc = rt_default_bake_desc();
           desc.samples = 32; // half the time, and nothing to be seen of it
           desc.occlusion_range = occlusion_range;

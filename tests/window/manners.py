@@ -31,6 +31,11 @@ def used_seconds(process):
     return tracing / os.sysconf("SC_CLK_TCK"), everything / os.sysconf("SC_CLK_TCK")
 
 
+def is_baking(process):
+    return any((thread / "comm").read_text().strip() == "light_baker"
+               for thread in pathlib.Path(f"/proc/{process.pid}/task").iterdir())
+
+
 def load(process, seconds=3):
     """Processors that are kept busy, by the same two."""
     before, start = used_seconds(process), time.monotonic()
@@ -41,6 +46,8 @@ def load(process, seconds=3):
 
 def begin(host):
     host.wait_for(lambda: contrast(host.screen()) > 10, 180, "the title")
+    host.wait_for(lambda: is_baking(host.process), 180, "the title to bake light")
+    host.wait_for(lambda: not is_baking(host.process), 300, "the light between surfaces")
     host.xdotool("windowfocus", host.window)
     time.sleep(3)
     title = host.screen()
