@@ -50,6 +50,7 @@ std::string run_kernels(const Options& options);
 std::string run_lamps(const Options& options);
 std::string run_programs(const Options& options);
 std::string run_queries(const Options& options);
+std::string run_triangles(const Options& options);
 
 std::vector<std::string> query_item_names();
 std::string query_item_legend();

@@ -182,8 +182,10 @@ int run(int argc, char** argv) {
     CLI::App* paper = app.add_subcommand("paper", "the two tables of the paper, with our scenes");
     CLI::App* programs =
         app.add_subcommand("programs", "shading programs of the host, beside the library's own");
+    CLI::App* triangles =
+        app.add_subcommand("triangles", "ray/triangle tests of others and ours: error and time");
     CLI::App* kernels = app.add_subcommand("kernels", "the small pieces, beneath the header");
-    for (CLI::App* command : {falloff, kernels, glass, programs})
+    for (CLI::App* command : {falloff, kernels, triangles, glass, programs})
         add_output_options(*command, options);
     for (CLI::App* command :
          {build, frame, prices, door, trace, moving, queries, grenade, lamps, features, paper})
@@ -228,21 +230,22 @@ int run(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
 
     if (options.scenes.empty()) options.scenes = peregrine::test::scene_files();
-    const std::string rows = *build      ? peregrine::bench::run_build(options)
-                             : *frame    ? peregrine::bench::run_frame(options)
-                             : *prices   ? peregrine::bench::run_prices(options)
-                             : *trace    ? peregrine::bench::run_trace(options)
-                             : *moving   ? peregrine::bench::run_moving(options)
-                             : *grenade  ? peregrine::bench::run_grenade(options)
-                             : *falloff  ? peregrine::bench::run_falloff(options)
-                             : *kernels  ? peregrine::bench::run_kernels(options)
-                             : *features ? peregrine::bench::run_features(options)
-                             : *paper    ? peregrine::bench::run_paper(options)
-                             : *programs ? peregrine::bench::run_programs(options)
-                             : *glass    ? peregrine::bench::run_glass(options)
-                             : *lamps    ? peregrine::bench::run_lamps(options)
-                             : *queries  ? peregrine::bench::run_queries(options)
-                                         : peregrine::bench::run_door(options);
+    const std::string rows = *build       ? peregrine::bench::run_build(options)
+                             : *frame     ? peregrine::bench::run_frame(options)
+                             : *prices    ? peregrine::bench::run_prices(options)
+                             : *trace     ? peregrine::bench::run_trace(options)
+                             : *moving    ? peregrine::bench::run_moving(options)
+                             : *grenade   ? peregrine::bench::run_grenade(options)
+                             : *falloff   ? peregrine::bench::run_falloff(options)
+                             : *kernels   ? peregrine::bench::run_kernels(options)
+                             : *triangles ? peregrine::bench::run_triangles(options)
+                             : *features  ? peregrine::bench::run_features(options)
+                             : *paper     ? peregrine::bench::run_paper(options)
+                             : *programs  ? peregrine::bench::run_programs(options)
+                             : *glass     ? peregrine::bench::run_glass(options)
+                             : *lamps     ? peregrine::bench::run_lamps(options)
+                             : *queries   ? peregrine::bench::run_queries(options)
+                                          : peregrine::bench::run_door(options);
     if (!options.json.empty()) write_json(options, rows);
     return 0;
 }

@@ -22,8 +22,8 @@ from bench import Bench, Failure  # noqa: E402
 import page  # noqa: E402
 
 ROOT = HERE.parents[2]
-SECTIONS = ["picture", "light", "occlusion", "remembered", "falloff", "structures", "grenade", "sweeps", "scaling",
-            "extremes"]
+SECTIONS = ["triangles", "structures", "falloff", "remembered", "light", "occlusion", "picture", "grenade", "sweeps",
+            "scaling", "extremes"]
 
 
 @dataclasses.dataclass
