@@ -54,15 +54,20 @@ def first_line(path, key):
     return "an unknown processor"
 
 
+def first_said(*line):
+    """The first line that a program prints; nothing if it is not there."""
+    try:
+        said = subprocess.run(line, capture_output=True, text=True, check=False).stdout
+    except OSError:
+        return ""
+    return said.splitlines()[0] if said else ""
+
+
 def machine():
-    compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True, check=False)
-    version = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty"], capture_output=True,
-                             text=True, check=False)
+    version = first_said("git", "-C", str(ROOT), "describe", "--always", "--dirty")
     return [f"{first_line('/proc/cpuinfo', 'model name')}, {len(os.sched_getaffinity(0))} threads",
-            f"{compiler.stdout.splitlines()[0] if compiler.stdout else 'no compiler'}; {platform.system()} "
-            f"{platform.release()}",
-            f"Peregrine {version.stdout.strip() or 'without a history'}, "
-            f"{datetime.datetime.now().astimezone():%d %B %Y, %H:%M}"]
+            f"{first_said('c++', '--version') or 'no compiler'}; {platform.system()} {platform.release()}",
+            f"Peregrine {version or 'without a history'}, {datetime.datetime.now().astimezone():%d %B %Y, %H:%M}"]
 
 
 def measure(name, bench, out):

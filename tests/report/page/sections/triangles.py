@@ -4,8 +4,8 @@ from section import Plot, Point, Section, Table, number
 
 TITLE = "Ray/triangle tests"
 WHY = ("Rays at the edge that two triangles share pass through one of them: a test that misses both leaks. Errors of t "
-       "are in units of its last place, beside extended precision. Times have the part in them that depends on the ray "
-       "alone, which traversals do once a ray.")
+       "are in units of its last place, beside extended precision. What depends on the ray alone is done once "
+       "for eight triangles.")
 
 
 def measure(bench):
