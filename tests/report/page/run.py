@@ -94,7 +94,7 @@ def main():
                         default=pathlib.Path(os.environ.get("PEREGRINE_SCENES", ROOT.parent / "shared" / "scenes")),
                         help="folder of levels made by others; without it the hall stands for them")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "report", help="folder of the report")
-    parser.add_argument("--quick", action="store_true", help="small pictures, few rays: minutes instead of a quarter of an hour")
+    parser.add_argument("--quick", action="store_true", help="small pictures, few rays: some two minutes")
     parser.add_argument("--section", nargs="+", choices=SECTIONS, default=SECTIONS, help="these alone")
     options = parser.parse_args()
     if not (options.build / "bin" / "peregrine_bench").is_file():
