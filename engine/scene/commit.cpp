@@ -213,8 +213,11 @@ void Commit::remember() noexcept {
     scene_.views_.swap(views_);
     if (proof_report_.waiting == 0) scene_.proofs_.reset();
     scene_.light_set_ = snapshot_.lights;
-    if (!snapshot_.light_map) scene_.set_light_map(nullptr); // it is of triangles that went
     ++scene_.version_;
+    // One that was baked since show_light_map() stays for the next commit.
+    const std::lock_guard lock(scene_.light_map_mutex_);
+    if (scene_.light_map_ && scene_.light_map_->geometry != scene_.fixed_)
+        scene_.light_map_.reset();
 }
 
 } // namespace peregrine::scene
