@@ -19,8 +19,8 @@ void show_openness(const Plan& plan, TileBuffers& buffers) {
     for (uint32_t i = 0; i < buffers.tile.count; ++i) {
         const bool seen = buffers.triangle[i] != geometry::kNoTriangle;
         const float open = !seen ? 0.0f : openness ? openness->openness[i] : 1.0f;
-        const bool asked =
-            seen && in_blocks && openness && openness->found[i] && !openness->recalled[i];
+        const bool asked = seen && in_blocks && openness && openness->found[i]
+                           && !(plan.shader.recalls_openness() && openness->recalled[i]);
         red[i] = asked ? 1.0f : open;
         green[i] = blue[i] = asked ? 0.25f * open : open;
     }

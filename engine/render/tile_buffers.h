@@ -48,7 +48,7 @@ struct alignas(64) TileBuffers {
     template <class Function>
     void for_each_batch(uint32_t ray_count, Function&& function) {
         for (uint32_t first = 0; first < ray_count; first += shade::kBatch)
-            function(hits_from(first, std::min(ray_count - first, shade::kBatch)), first);
+            function(tile_hits().batch(first, std::min(ray_count - first, shade::kBatch)), first);
     }
     // ... of the tile.
     template <class Function>
@@ -79,19 +79,7 @@ struct alignas(64) TileBuffers {
         return {{colors.channel[0] + first, colors.channel[1] + first, colors.channel[2] + first}};
     }
 
-private:
     static_assert(kTileRays % shade::kBatch == 0);
-
-    shade::RayHits hits_from(uint32_t first, uint32_t count) const {
-        return {{direction[0] + first, direction[1] + first, direction[2] + first},
-                u + first,
-                v + first,
-                triangle + first,
-                back_face + first,
-                t + first,
-                count,
-                footprint};
-    }
 };
 
 } // namespace peregrine::render

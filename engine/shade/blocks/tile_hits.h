@@ -3,7 +3,6 @@
 #include "shade/surface/ray_hits.h"
 #include "shade/surface/surface.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace peregrine::shade {
@@ -19,14 +18,14 @@ struct TileHits {
     uint32_t count;
     float footprint; // see RayHits
 
-    RayHits batch(uint32_t first) const {
+    RayHits batch(uint32_t first, uint32_t size) const {
         return {{direction[0] + first, direction[1] + first, direction[2] + first},
                 u + first,
                 v + first,
                 triangle + first,
                 back_face + first,
                 t + first,
-                std::min(count - first, kBatch),
+                size,
                 footprint};
     }
 };

@@ -20,7 +20,7 @@ void BlockOpenness::find(const TileHits& hits, TileOpenness& out, Scratch& scrat
 // Of the whole tile, before anything is asked.
 void BlockOpenness::recall(const TileHits& hits, TileOpenness& out, Scratch& scratch) const {
     for (uint32_t first = 0; first < hits.count; first += kBatch) {
-        const RayHits batch = hits.batch(first);
+        const RayHits batch = hits.batch(first, std::min(hits.count - first, kBatch));
         float* const openness = out.openness + first;
         shader_.recall_openness(batch, scratch, openness);
         for (uint32_t i = 0; i < batch.count; ++i) {
@@ -47,7 +47,7 @@ void BlockOpenness::try_blocks(const TileHits& hits, uint32_t level, TileOpennes
     uint32_t kept = 0;
     for (uint32_t i = 0; i < list.count; ++i) {
         const Block block = list.blocks[i];
-        if (!keeps(block, out)) continue;
+        if (shader_.recalls_openness() && !keeps(block, out)) continue;
         if (!kernels.block_is_smooth(hits.t + block.first, block.side, pixel_, tolerance_.plane)) {
             out.blocks.cut(block);
             continue;

@@ -13,9 +13,9 @@ struct alignas(64) TileOpenness {
     static constexpr uint8_t kWanted = 1;
 
     Lanes openness;
-    Lanes normal[3];           // where openness was found, without normal maps
-    bool found[kMostTileRays]; // by rays, or ...
-    bool recalled[kMostTileRays];
+    Lanes normal[3];              // where openness was found, without normal maps
+    bool found[kMostTileRays];    // by rays, or ...
+    bool recalled[kMostTileRays]; // if the shader recalls it
     uint8_t wanted[kMostTileRays];
     BlockLists blocks; // uneven: not to be interpolated
     PickedHits picked;
@@ -25,7 +25,6 @@ struct alignas(64) TileOpenness {
 
     void begin(uint32_t ray_count) { // a tile
         std::fill_n(found, ray_count, false);
-        std::fill_n(recalled, ray_count, false);
         std::fill_n(wanted, ray_count, uint8_t(0));
         blocks.clear();
     }

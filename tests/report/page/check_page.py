@@ -68,11 +68,10 @@ def numbers_in(folder, name):
     for path in folder.glob(f"{name}*.csv"):
         with open(path, newline="", encoding="utf-8") as file:
             for cell in (cell for row in csv.reader(file) for cell in row):
-                found.update(re.findall(r"\d+", cell))  # of labels
                 try:
                     found.add(number(float(cell)))
                 except ValueError:
-                    pass
+                    found.update(re.findall(r"\d+", cell))  # a label
     return found
 
 

@@ -99,7 +99,11 @@ def main():
     options = parser.parse_args()
     if not (options.build / "bin" / "peregrine_bench").is_file():
         parser.error(f"{options.build} has no bin/peregrine_bench: build the project first")
-    options.out.mkdir(parents=True, exist_ok=True)
+    try:
+        options.out.mkdir(parents=True, exist_ok=True)
+        (options.out / "index.html").touch()
+    except OSError as error:
+        parser.error(f"nothing can be written to {options.out}: {error.strerror}")
     bench = Bench(options.build, scenes_of(options.scenes), options.quick)
     entries, faults = [], 0
     for i, name in enumerate(options.section):
